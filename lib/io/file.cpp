@@ -1,0 +1,141 @@
+#include "io/file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+
+#include "core/error.hpp"
+
+namespace slidezone {
+
+namespace {
+
+/// An open file that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ > STDERR_FILENO) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int number() const { return number_; }
+  bool is_open() const { return number_ >= 0; }
+
+ private:
+  int number_;
+};
+
+constexpr std::array interruptions = {SIGINT, SIGTERM, SIGHUP};
+char interrupted_path[PATH_MAX];  // the temporary that a signal must remove: a handler can reach only static storage
+
+void remove_temporary_and_die(int signal_number) {
+  ::unlink(interrupted_path);
+  std::signal(signal_number, SIG_DFL);
+  std::raise(signal_number);
+}
+
+/// While it lives, the temporary is removed by a signal; when it ends, unless `keep` was called.
+class Temporary {
+ public:
+  explicit Temporary(const std::string& path) {
+    std::strncpy(interrupted_path, path.c_str(), sizeof interrupted_path - 1);
+    for (const int number : interruptions) std::signal(number, remove_temporary_and_die);
+  }
+  ~Temporary() {
+    if (!is_kept_) ::unlink(interrupted_path);
+    for (const int number : interruptions) std::signal(number, SIG_DFL);
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+  void keep() { is_kept_ = true; }
+
+ private:
+  bool is_kept_ = false;
+};
+
+[[noreturn]] void fail_with_reason(ExitCode code, const std::string& path, const std::string& what) {
+  throw Error(code, path + ": " + what + ": " + std::strerror(errno));
+}
+
+void write_all(int descriptor, std::string_view bytes, const std::string& name) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail_with_reason(ExitCode::io, name, "writing failed");
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+/// The file behind a chain of symbolic links, so that a rename replaces the file and not the link.
+std::string link_target(const std::string& path) {
+  char* resolved = ::realpath(path.c_str(), nullptr);
+  if (resolved == nullptr) return path;
+  const std::string target = resolved;
+  std::free(resolved);
+  return target;
+}
+
+void write_in_place(const std::string& path, std::string_view bytes) {
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!file.is_open()) fail_with_reason(ExitCode::cannot_create, path, "cannot be written");
+  write_all(file.number(), bytes, path);
+}
+
+void replace_file(const std::string& path, std::string_view bytes) {
+  const std::string target = link_target(path);
+  std::string temporary = target + ".XXXXXX";
+  const Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
+  if (!file.is_open()) fail_with_reason(ExitCode::cannot_create, path, "cannot be created");
+  Temporary guard(temporary);
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  ::fchmod(file.number(), 0666 & ~mask);
+  write_all(file.number(), bytes, path);
+  if (::fsync(file.number()) != 0) fail_with_reason(ExitCode::io, path, "writing to disk failed");
+  if (::rename(temporary.c_str(), target.c_str()) != 0) fail_with_reason(ExitCode::cannot_create, path, "cannot be created");
+  guard.keep();
+}
+
+}  // namespace
+
+std::string input_name(const std::string& path) { return path == "-" ? "stdin" : path; }
+
+std::string read_input(const std::string& path) {
+  const Descriptor file(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.is_open()) fail_with_reason(ExitCode::no_input, path, "cannot be opened");
+  struct stat status {};
+  std::string bytes;
+  if (::fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode)) bytes.reserve(static_cast<std::size_t>(status.st_size) + 1);
+  constexpr std::size_t chunk = 1 << 16;
+  std::size_t size = 0;
+  for (;;) {
+    bytes.resize(std::max(bytes.capacity(), size + chunk));
+    const ssize_t got = ::read(file.number(), bytes.data() + size, bytes.size() - size);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail_with_reason(errno == EISDIR ? ExitCode::no_input : ExitCode::io, input_name(path), "reading failed");
+    if (got == 0) break;
+    size += static_cast<std::size_t>(got);
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
+void write_output(const std::string& path, std::string_view bytes) {
+  if (path == "-") return write_all(STDOUT_FILENO, bytes, "stdout");
+  struct stat status {};
+  const bool is_special = ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+  if (is_special && S_ISDIR(status.st_mode)) throw Error(ExitCode::cannot_create, path + ": is a directory, expected a file name");
+  if (is_special) return write_in_place(path, bytes);
+  replace_file(path, bytes);
+}
+
+}  // namespace slidezone

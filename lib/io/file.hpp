@@ -1,0 +1,22 @@
+// Whole files in, whole files out; "-" is a standard stream.
+//
+// A result is built in memory, written to a temporary beside its target, synced and renamed: a reader sees the old file or
+// the new one, never a part. A failed or interrupted run leaves no temporary. Targets that exist and are not regular
+// files (a pipe, /dev/null) are written in place.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace slidezone {
+
+/// The bytes of the file, or of stdin for "-". Throws with ExitCode::no_input if it cannot be opened, io if not read.
+std::string read_input(const std::string& path);
+
+/// Throws with ExitCode::cannot_create if the target cannot be created, io if writing fails.
+void write_output(const std::string& path, std::string_view bytes);
+
+/// How messages call the path: "stdin" for "-".
+std::string input_name(const std::string& path);
+
+}  // namespace slidezone

@@ -1,0 +1,300 @@
+#include "io/hdf5_image.hpp"
+
+#include <hdf5.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+#include "core/error.hpp"
+
+// Exported by the HDF5 library but declared in no public header: Jenkins' lookup3 hash, the checksum of HDF5 metadata.
+extern "C" std::uint32_t H5_checksum_lookup3(const void* data, std::size_t length, std::uint32_t initial);
+
+namespace slidezone {
+
+namespace {
+
+/// An HDF5 identifier that closes itself.
+class Handle {
+ public:
+  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  operator hid_t() const { return id_; }
+  bool is_valid() const { return id_ >= 0; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+/// Writing to memory fails only by our mistake or for want of memory.
+hid_t must(hid_t id, const char* what) {
+  if (id < 0) throw Error(ExitCode::internal, std::string("HDF5 could not build ") + what);
+  return id;
+}
+
+Handle latest_format_in_memory() {
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  constexpr std::size_t increment = 1 << 20;
+  must(H5Pset_fapl_core(access, increment, 0), "a file in memory");
+  must(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "a file in memory");
+  return access;
+}
+
+void silence_hdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+/// Groups without times and with attributes stored in the order of their creation.
+Handle group_properties(hid_t property_class) {
+  Handle properties(H5Pcreate(property_class), H5Pclose);
+  must(H5Pset_obj_track_times(properties, 0), "group properties");
+  return properties;
+}
+
+/// Offsets in the superblock of versions 2 and 3 (HDF5 file format specification, II.A).
+constexpr std::size_t superblock_version_at = 8;
+constexpr std::size_t superblock_checksum_at = 44;
+
+void mend_superblock_checksum(std::string& image) {
+  const char version = image[superblock_version_at];
+  if (version != 2 && version != 3) throw Error(ExitCode::internal, "HDF5 wrote an unexpected superblock");
+  const std::uint32_t sum = H5_checksum_lookup3(image.data(), superblock_checksum_at, 0);
+  for (std::size_t byte = 0; byte < 4; ++byte) image[superblock_checksum_at + byte] = static_cast<char>(sum >> (8 * byte) & 0xff);
+}
+
+}  // namespace
+
+// ---- writer -----------------------------------------------------------------------------------------------------------
+
+struct Hdf5Writer::State {
+  Handle file;
+
+  Handle object(const std::string& path) const {
+    return Handle(must(H5Oopen(file, path.empty() ? "/" : path.c_str(), H5P_DEFAULT), path.c_str()), H5Oclose);
+  }
+  void attribute(const std::string& path, const std::string& name, hid_t type, hid_t space, const void* value) const {
+    const Handle owner = object(path);
+    const Handle attribute(must(H5Acreate2(owner, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), name.c_str()), H5Aclose);
+    must(H5Awrite(attribute, type, value), name.c_str());
+  }
+  void dataset(const std::string& path, hid_t type, const void* values, std::vector<hsize_t> shape) const {
+    const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    must(H5Pset_obj_track_times(properties, 0), path.c_str());
+    const bool is_empty = std::find(shape.begin(), shape.end(), hsize_t{0}) != shape.end();
+    if (!is_empty) {
+      std::vector<hsize_t> chunk = shape;
+      if (chunk.size() > 1) chunk[0] = 1;
+      must(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()), path.c_str());
+      must(H5Pset_fletcher32(properties), path.c_str());
+    }
+    const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
+    const Handle dataset(must(H5Dcreate2(file, path.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), path.c_str()), H5Dclose);
+    if (!is_empty) must(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), path.c_str());
+  }
+};
+
+static Handle new_file_in_memory() {
+  silence_hdf5();
+  const Handle access = latest_format_in_memory();
+  const Handle creation = group_properties(H5P_FILE_CREATE);
+  return Handle(must(H5Fcreate("slidezone-image", H5F_ACC_TRUNC, creation, access), "a file in memory"), H5Fclose);
+}
+
+Hdf5Writer::Hdf5Writer() : state_(new State{new_file_in_memory()}) {}
+Hdf5Writer::~Hdf5Writer() = default;
+
+void Hdf5Writer::group(const std::string& path) {
+  const Handle properties = group_properties(H5P_GROUP_CREATE);
+  const Handle group(must(H5Gcreate2(state_->file, path.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT), path.c_str()), H5Gclose);
+}
+
+void Hdf5Writer::attribute(const std::string& path, const std::string& name, const std::string& value) {
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type, std::max<std::size_t>(1, value.size()));
+  H5Tset_strpad(type, H5T_STR_NULLPAD);
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  state_->attribute(path, name, type, space, value.c_str());
+}
+
+void Hdf5Writer::attribute(const std::string& path, const std::string& name, double value) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  state_->attribute(path, name, H5T_NATIVE_DOUBLE, space, &value);
+}
+
+void Hdf5Writer::attribute(const std::string& path, const std::string& name, std::span<const std::int64_t> values) {
+  const hsize_t count = values.size();
+  const Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  state_->attribute(path, name, H5T_NATIVE_INT64, space, values.data());
+}
+
+void Hdf5Writer::dataset(const std::string& path, std::span<const double> values, const std::vector<std::size_t>& shape) {
+  assert(std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()) == values.size());
+  state_->dataset(path, H5T_NATIVE_DOUBLE, values.data(), {shape.begin(), shape.end()});
+}
+
+void Hdf5Writer::dataset(const std::string& path, std::span<const std::int64_t> values) {
+  state_->dataset(path, H5T_NATIVE_INT64, values.data(), {values.size()});
+}
+
+void Hdf5Writer::dataset(const std::string& path, std::span<const std::uint8_t> values) {
+  state_->dataset(path, H5T_NATIVE_UINT8, values.data(), {values.size()});
+}
+
+void Hdf5Writer::provenance(const Provenance& provenance) {
+  attribute("", "schema", provenance.schema);
+  attribute("", "tool", provenance.tool);
+  for (const auto& [key, value] : provenance.details) attribute("", key, value);
+}
+
+std::string Hdf5Writer::image() {
+  must(H5Fflush(state_->file, H5F_SCOPE_GLOBAL), "an image");
+  const ssize_t size = H5Fget_file_image(state_->file, nullptr, 0);
+  if (size <= 0) throw Error(ExitCode::internal, "HDF5 gave no image");
+  std::string image(static_cast<std::size_t>(size), '\0');
+  if (H5Fget_file_image(state_->file, image.data(), image.size()) != size) throw Error(ExitCode::internal, "HDF5 gave no image");
+  mend_superblock_checksum(image);
+  state_.reset();
+  return image;
+}
+
+// ---- reader -----------------------------------------------------------------------------------------------------------
+
+struct Hdf5Reader::State {
+  std::string name;
+  Handle file;
+
+  [[noreturn]] void fail(const std::string& message) const { throw Error(ExitCode::data, name + ": " + message); }
+
+  Handle object(const std::string& path) const {
+    Handle object(H5Oopen(file, path.empty() ? "/" : path.c_str(), H5P_DEFAULT), H5Oclose);
+    if (!object.is_valid()) fail("no '" + path + "' in the file, or it is damaged");
+    return object;
+  }
+  Handle attribute(const std::string& path, const std::string& attribute_name) const {
+    const Handle owner = object(path);
+    Handle attribute(H5Aopen(owner, attribute_name.c_str(), H5P_DEFAULT), H5Aclose);
+    if (!attribute.is_valid()) fail("no attribute '" + attribute_name + "' at '/" + path + "'");
+    return attribute;
+  }
+  Handle dataset(const std::string& path) const {
+    Handle dataset(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!dataset.is_valid()) fail("no dataset '" + path + "' in the file, or it is damaged");
+    return dataset;
+  }
+};
+
+static std::vector<hsize_t> extent(hid_t dataset) {
+  const Handle space(H5Dget_space(dataset), H5Sclose);
+  std::vector<hsize_t> shape(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space))));
+  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+  return shape;
+}
+
+static std::size_t product(std::span<const hsize_t> shape) {
+  return std::accumulate(shape.begin(), shape.end(), std::size_t{1},
+                         [](std::size_t a, hsize_t b) { return a * static_cast<std::size_t>(b); });
+}
+
+static Handle open_image(std::string_view image) {
+  silence_hdf5();
+  const Handle access = latest_format_in_memory();
+  if (H5Pset_file_image(access, const_cast<char*>(image.data()), image.size()) < 0) return Handle(-1, H5Fclose);  // HDF5 copies the bytes
+  return Handle(H5Fopen("slidezone-image", H5F_ACC_RDONLY, access), H5Fclose);
+}
+
+Hdf5Reader::Hdf5Reader(std::string_view image, const std::string& name, std::string_view schema)
+    : state_(new State{name, image.empty() ? Handle(-1, H5Fclose) : open_image(image)}) {
+  if (!state_->file.is_valid())
+    state_->fail(image.empty() ? "found an empty file, expected HDF5"
+                               : "found no HDF5 file, or a damaged one; expected schema '" + std::string(schema) + "'");
+  const std::string found = text_attribute("", "schema");
+  if (found != schema) state_->fail("found schema '" + found + "', expected '" + std::string(schema) + "'");
+}
+
+Hdf5Reader::~Hdf5Reader() = default;
+
+const std::string& Hdf5Reader::name() const { return state_->name; }
+
+bool Hdf5Reader::has(const std::string& path) const { return H5Lexists(state_->file, path.c_str(), H5P_DEFAULT) > 0; }
+
+std::vector<std::string> Hdf5Reader::members(const std::string& group) const {
+  const Handle owner = state_->object(group);
+  H5G_info_t info{};
+  if (H5Gget_info(owner, &info) < 0) state_->fail("'" + group + "' is not a group");
+  std::vector<std::string> names;
+  for (hsize_t i = 0; i < info.nlinks; ++i) {
+    const ssize_t size = H5Lget_name_by_idx(owner, ".", H5_INDEX_NAME, H5_ITER_INC, i, nullptr, 0, H5P_DEFAULT);
+    if (size < 0) state_->fail("'" + group + "' is damaged");
+    std::string name(static_cast<std::size_t>(size), '\0');
+    H5Lget_name_by_idx(owner, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size() + 1, H5P_DEFAULT);
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::string Hdf5Reader::text_attribute(const std::string& path, const std::string& name) const {
+  const Handle attribute = state_->attribute(path, name);
+  const Handle type(H5Aget_type(attribute), H5Tclose);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0)
+    state_->fail("attribute '" + name + "' is not a fixed-length text");
+  std::string value(H5Tget_size(type), '\0');
+  if (H5Aread(attribute, type, value.data()) < 0) state_->fail("attribute '" + name + "' is damaged");
+  value.resize(std::strlen(value.c_str()));
+  return value;
+}
+
+double Hdf5Reader::real_attribute(const std::string& path, const std::string& name) const {
+  const Handle attribute = state_->attribute(path, name);
+  const Handle space(H5Aget_space(attribute), H5Sclose);
+  double value = 0;
+  if (H5Sget_simple_extent_npoints(space) != 1 || H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0)
+    state_->fail("attribute '" + name + "' is not a number");
+  return value;
+}
+
+std::vector<std::size_t> Hdf5Reader::shape(const std::string& path) const {
+  const std::vector<hsize_t> shape = extent(state_->dataset(path));
+  return {shape.begin(), shape.end()};
+}
+
+std::vector<double> Hdf5Reader::reals(const std::string& path) const {
+  const Handle dataset = state_->dataset(path);
+  std::vector<double> values(product(extent(dataset)));
+  if (!values.empty() && H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+    state_->fail("dataset '" + path + "' is damaged (checksum) or not of numbers");
+  return values;
+}
+
+std::vector<double> Hdf5Reader::reals(const std::string& path, std::size_t index) const {
+  const Handle dataset = state_->dataset(path);
+  std::vector<hsize_t> shape = extent(dataset);
+  if (shape.empty() || index >= shape[0]) state_->fail("dataset '" + path + "' has no slice " + std::to_string(index));
+  std::vector<hsize_t> start(shape.size(), 0);
+  start[0] = index;
+  shape[0] = 1;
+  const Handle in_file(H5Dget_space(dataset), H5Sclose);
+  H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, shape.data(), nullptr);
+  const Handle in_memory(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
+  std::vector<double> values(product(shape));
+  if (H5Dread(dataset, H5T_NATIVE_DOUBLE, in_memory, in_file, H5P_DEFAULT, values.data()) < 0)
+    state_->fail("dataset '" + path + "' is damaged (checksum) or not of numbers");
+  return values;
+}
+
+std::vector<std::int64_t> Hdf5Reader::integers(const std::string& path) const {
+  const Handle dataset = state_->dataset(path);
+  std::vector<std::int64_t> values(product(extent(dataset)));
+  if (!values.empty() && H5Dread(dataset, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+    state_->fail("dataset '" + path + "' is damaged (checksum) or not of numbers");
+  return values;
+}
+
+}  // namespace slidezone

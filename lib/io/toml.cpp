@@ -1,0 +1,213 @@
+#include "io/toml.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/text.hpp"
+#include "io/units.hpp"
+
+namespace slidezone {
+
+struct TomlTable::Node {
+  std::shared_ptr<const toml::table> file;
+  const toml::table* table;
+  std::string file_name;
+  std::string table_name;  // "slope", or "" for the file itself
+};
+
+static Location location(const std::string& file, const toml::source_region& source) {
+  return {file, static_cast<long>(source.begin.line), static_cast<long>(source.begin.column)};
+}
+
+/// What a value is, for messages: `"5 kPa"`, `5`, `a list`.
+static std::string description(const toml::node& node) {
+  if (const auto text = node.value_exact<std::string>()) return '"' + *text + '"';
+  if (const auto whole = node.value_exact<std::int64_t>()) return std::to_string(*whole);
+  if (const auto real = node.value_exact<double>()) return format_real(*real);
+  if (const auto truth = node.value_exact<bool>()) return *truth ? "true" : "false";
+  if (node.is_table()) return "a table";
+  if (node.is_array()) return "a list";
+  return "a date or time";
+}
+
+static std::string description(Range range) {
+  const bool has_low = std::isfinite(range.low);
+  const bool has_high = std::isfinite(range.high);
+  const std::string low = (range.is_low_excluded ? "above " : "at least ") + format_real(range.low);
+  const std::string high = "at most " + format_real(range.high);
+  if (has_low && has_high) return low + " and " + high;
+  return has_low ? low : high;
+}
+
+static bool contains(Range range, double value) {
+  return std::isfinite(value) && (range.is_low_excluded ? value > range.low : value >= range.low) && value <= range.high;
+}
+
+TomlTable TomlTable::parse(std::string_view text, const std::string& name) {
+  try {
+    const auto file = std::make_shared<const toml::table>(toml::parse(text, name));
+    return TomlTable(std::make_shared<const Node>(Node{file, file.get(), name, ""}));
+  } catch (const toml::parse_error& error) {
+    fail_at(location(name, error.source()), std::string(error.description()));
+  }
+}
+
+void TomlTable::check_keys(const std::vector<std::string>& known) const {
+  for (const auto& [key, value] : *node_->table) {
+    const std::string name(key.str());
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const std::string place = node_->table_name.empty() ? "in a scene" : "in [" + node_->table_name + "]";
+    const std::string hint = nearest_hint(name, known);
+    fail_at(location(node_->file_name, key.source()),
+            "unknown key '" + name + "' " + place + (hint.empty() ? "; expected " + list_of(known) : hint));
+  }
+}
+
+bool TomlTable::has(const std::string& key) const { return node_->table->contains(key); }
+
+std::vector<std::string> TomlTable::keys() const {
+  std::vector<std::string> names;
+  for (const auto& [key, value] : *node_->table) names.emplace_back(key.str());
+  return names;
+}
+
+Location TomlTable::where() const { return location(node_->file_name, node_->table->source()); }
+
+Location TomlTable::where(const std::string& key) const {
+  const toml::node* node = node_->table->get(key);
+  return node == nullptr ? where() : location(node_->file_name, node->source());
+}
+
+void TomlTable::fail(const std::string& key, const std::string& message) const { fail_at(where(key), "'" + key + "' " + message); }
+
+/// The node of a required key.
+static const toml::node& required(const toml::table& table, const TomlTable& view, const std::string& table_name, const std::string& key) {
+  const toml::node* node = table.get(key);
+  if (node != nullptr) return *node;
+  fail_at(view.where(), table_name.empty() ? "no table [" + key + "] in the scene" : "no key '" + key + "' in [" + table_name + "]");
+}
+
+TomlTable TomlTable::table(const std::string& key) const {
+  const toml::node& node = required(*node_->table, *this, node_->table_name, key);
+  if (!node.is_table()) fail(key, "wants a table, found " + description(node) + "; write [" + key + "]");
+  const std::string name = node_->table_name.empty() ? key : node_->table_name + "." + key;
+  return TomlTable(std::make_shared<const Node>(Node{node_->file, node.as_table(), node_->file_name, name}));
+}
+
+std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
+  const toml::node& node = required(*node_->table, *this, node_->table_name, key);
+  const toml::array* list = node.as_array();
+  if (list == nullptr || list->empty() || !list->is_homogeneous<toml::table>())
+    fail(key, "wants one or several tables, found " + description(node) + "; write [[" + key + "]]");
+  std::vector<TomlTable> tables;
+  for (const toml::node& item : *list)
+    tables.push_back(TomlTable(std::make_shared<const Node>(Node{node_->file, item.as_table(), node_->file_name, key})));
+  return tables;
+}
+
+double TomlTable::quantity(const std::string& key, const std::string& unit, Range range) const {
+  const toml::node& node = required(*node_->table, *this, node_->table_name, key);
+  const auto text = node.value_exact<std::string>();
+  if (!text)
+    fail(key, "wants a text with its unit, found " + description(node) + "; write e.g. \"" + description(node) + " " + unit + "\"");
+  double value = 0;
+  try {
+    value = parse_quantity(*text, unit);
+  } catch (const std::invalid_argument& error) {
+    fail(key, error.what());
+  }
+  if (!contains(range, value)) fail(key, "wants " + description(range) + " " + unit + ", found \"" + *text + "\"");
+  return value;
+}
+
+double TomlTable::number(const std::string& key, Range range) const {
+  const toml::node& node = required(*node_->table, *this, node_->table_name, key);
+  if (!node.is_number()) fail(key, "wants a number without unit, found " + description(node));
+  const double value = *node.value<double>();
+  if (!std::isfinite(value)) fail(key, "wants a finite number, found " + description(node));
+  if (!contains(range, value)) fail(key, "wants a number " + description(range) + ", found " + description(node));
+  return value;
+}
+
+std::uint64_t TomlTable::whole(const std::string& key, std::uint64_t least, std::uint64_t most) const {
+  const toml::node& node = required(*node_->table, *this, node_->table_name, key);
+  const auto value = node.value_exact<std::int64_t>();
+  if (!value || *value < 0 || static_cast<std::uint64_t>(*value) < least || static_cast<std::uint64_t>(*value) > most)
+    fail(key, "wants a whole number from " + std::to_string(least) + " to " + std::to_string(most) + ", found " + description(node));
+  return static_cast<std::uint64_t>(*value);
+}
+
+std::string TomlTable::text(const std::string& key) const {
+  const toml::node& node = required(*node_->table, *this, node_->table_name, key);
+  const auto value = node.value_exact<std::string>();
+  if (!value) fail(key, "wants a text in quotes, found " + description(node));
+  return *value;
+}
+
+bool TomlTable::truth(const std::string& key) const {
+  const toml::node& node = required(*node_->table, *this, node_->table_name, key);
+  const auto value = node.value_exact<bool>();
+  if (!value) fail(key, "wants true or false, found " + description(node));
+  return *value;
+}
+
+std::string TomlTable::choice(const std::string& key, const std::vector<std::string>& names) const {
+  const std::string value = text(key);
+  if (std::find(names.begin(), names.end(), value) != names.end()) return value;
+  fail(key, "wants " + list_of(names) + ", found \"" + value + '"' + nearest_hint(value, names));
+}
+
+/// One coordinate of a polyline.
+static double coordinate(const toml::node& node, const std::string& file, const std::string& key) {
+  const auto text = node.value_exact<std::string>();
+  try {
+    if (text) return parse_quantity(*text, "m");
+  } catch (const std::invalid_argument& error) {
+    fail_at(location(file, node.source()), "'" + key + "' " + error.what());
+  }
+  fail_at(location(file, node.source()), "'" + key + "' wants coordinates like \"5 m\", found " + description(node));
+}
+
+std::vector<Vec2> TomlTable::polyline(const std::string& key, std::size_t least) const {
+  const toml::node& node = required(*node_->table, *this, node_->table_name, key);
+  const toml::array* list = node.as_array();
+  if (list == nullptr || list->size() < least)
+    fail(key, "wants a list of at least " + std::to_string(least) + " points, e.g. [[\"0 m\", \"5 m\"], ...], found " +
+                  (list == nullptr ? description(node) : std::to_string(list->size())));
+  std::vector<Vec2> points;
+  for (const toml::node& item : *list) {
+    const toml::array* pair = item.as_array();
+    if (pair == nullptr || pair->size() != 2)
+      fail_at(location(node_->file_name, item.source()),
+              "'" + key + "' wants points of two coordinates like [\"0 m\", \"5 m\"], found " +
+                  (pair == nullptr ? description(item) : std::to_string(pair->size()) + " of them"));
+    points.push_back({coordinate(*pair->get(0), node_->file_name, key), coordinate(*pair->get(1), node_->file_name, key)});
+  }
+  return points;
+}
+
+double TomlTable::quantity_or(const std::string& key, const std::string& unit, Range range, double absent) const {
+  return has(key) ? quantity(key, unit, range) : absent;
+}
+
+double TomlTable::number_or(const std::string& key, Range range, double absent) const { return has(key) ? number(key, range) : absent; }
+
+std::uint64_t TomlTable::whole_or(const std::string& key, std::uint64_t least, std::uint64_t most, std::uint64_t absent) const {
+  return has(key) ? whole(key, least, most) : absent;
+}
+
+bool TomlTable::truth_or(const std::string& key, bool absent) const { return has(key) ? truth(key) : absent; }
+
+std::string TomlTable::choice_or(const std::string& key, const std::vector<std::string>& names, const std::string& absent) const {
+  return has(key) ? choice(key, names) : absent;
+}
+
+bool TomlTable::is_text(const std::string& key) const {
+  const toml::node* node = node_->table->get(key);
+  return node != nullptr && node->is_string();
+}
+
+}  // namespace slidezone

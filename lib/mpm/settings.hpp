@@ -1,0 +1,53 @@
+// How a run is made: gravity, boundaries, time. Defaults are those of a scene that does not say otherwise.
+#pragma once
+
+#include <optional>
+
+#include "core/vec2.hpp"
+
+namespace slidezone {
+
+/// What the base does to the nodes on it.
+enum class BaseContact {
+  bilateral,   // no normal motion, either way; Coulomb friction against sliding
+  unilateral,  // no motion into the base, free to lift off; Coulomb friction while pressed
+  stick,       // no motion at all
+};
+
+/// What a wall does to the nodes on it.
+enum class Wall { roller, stick, open };  // open: material that reaches it leaves the domain and censors the run
+
+struct Boundaries {
+  BaseContact base = BaseContact::bilateral;
+  double base_friction = 0;  // coefficient, tan of the friction angle
+  Wall left = Wall::roller;
+  Wall right = Wall::open;
+};
+
+enum class GravityProtocol {
+  sudden,  // full from the start, from a stress-free state
+  ramp,    // grows linearly over ramp_time, from a stress-free state
+  k0,      // full from the start, from geostatic stress: vertical by overburden, horizontal k0 times that
+};
+
+struct Gravity {
+  Vec2 acceleration = {0, -9.81};  // m/s^2
+  GravityProtocol protocol = GravityProtocol::ramp;
+  double ramp_time = 2;      // s
+  std::optional<double> k0;  // absent: nu / (1 - nu) of each soil
+};
+
+/// The run ends early once the kinetic energy on the grid has stayed below `fraction` of its peak for `hold`.
+struct RestRule {
+  double fraction = 0.003;
+  double hold = 3;  // s
+};
+
+struct TimeStepping {
+  double end = 0;              // s
+  std::optional<double> step;  // s; absent: step_fraction times the stability limit
+  double step_fraction = 0.5;
+  std::optional<RestRule> rest;  // absent: runs to the end
+};
+
+}  // namespace slidezone

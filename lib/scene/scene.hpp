@@ -1,0 +1,112 @@
+// A scene: one slope and how it is analysed, read from one TOML file. data-schemas/scene.schema.json describes the file.
+//
+// Origin: where the left wall meets the base; x to the right, y up; SI units throughout. A table that is absent is a feature
+// that is not run. Defaults stand in the structs below and in mpm/settings.hpp, nowhere else.
+// Errors: ExitCode::data with file:line:column, what was found, what was expected and the nearest known key.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/vec2.hpp"
+#include "grid/grid_shape.hpp"
+#include "mpm/settings.hpp"
+#include "soil/material.hpp"
+
+namespace slidezone {
+
+/// The ground surface as a polyline from the left wall to the base or the right wall; x never falls along it.
+struct Slope {
+  std::vector<Vec2> surface;
+  Vec2 crest;  // right end of the highest part: the last vertex of greatest elevation
+  Vec2 toe;    // foot of the face: the first vertex of least elevation right of the crest
+};
+
+/// A soil below `top`; later layers lie under earlier ones. The first has no top of its own: the ground surface.
+struct Layer {
+  std::string name;
+  Material material;
+  std::vector<Vec2> top;
+};
+
+/// Background grid and how densely it is filled: points_per_cell along each axis.
+struct Discretization {
+  GridShape grid;
+  int points_per_cell = 2;
+};
+
+/// [field.<parameter>]: a random field in place of a layer parameter that is the same everywhere.
+struct FieldSpec {
+  std::string parameter;  // "cohesion": the peak cohesion
+  double mean = 0;        // in the parameter's SI unit
+  double cov = 0;         // coefficient of variation
+  std::string marginal = "lognormal";
+  std::string autocorrelation = "single exponential";
+  double horizontal_scale = 0;  // scale of fluctuation, m
+  double vertical_scale = 0;
+  double cell_x = 0;  // random-field mesh; it covers the box of the slope from the origin
+  double cell_y = 0;
+  int cells_x = 0;
+  int cells_y = 0;
+};
+
+/// Thresholds of what is measured on the final state.
+struct Output {
+  double influence_drop = 0.5;     // a surface column has failed when it dropped by more than this, m
+  double slid_displacement = 1.0;  // a run slid when some point moved by more than this, m
+};
+
+struct Study {
+  std::uint64_t seed = 1;
+  std::uint64_t realizations = 1000;
+};
+
+struct Scene {
+  std::string name;      // the file's name, for messages
+  std::string checksum;  // of the file's bytes
+  std::string title;
+  Slope slope;
+  Discretization discretization;
+  std::vector<Layer> layers;
+  Boundaries boundaries;
+  Gravity gravity;
+  TimeStepping time;
+  std::vector<FieldSpec> fields;
+  Output output;
+  Study study;
+};
+
+/// What a tool needs of the scene; tables that are present are checked in any case, needed ones must be present.
+struct Needs {
+  bool grid = false;   // [grid]
+  bool soil = false;   // [[soil]]
+  bool time = false;   // [time]
+  bool field = false;  // at least one [field.<parameter>]
+};
+
+/// Parses a scene; `name` is the file's name in messages.
+Scene parse_scene(std::string_view text, const std::string& name, Needs needs);
+
+/// Reads and parses the file `path`, or stdin for "-".
+Scene read_scene(const std::string& path, Needs needs);
+
+/// Elevation of a polyline at x, linear between vertices, constant beyond its ends; the higher side at a vertical step.
+double elevation(const std::vector<Vec2>& polyline, double x);
+
+/// The initial material points: a lattice of grid cells divided by points_per_cell, of which those strictly inside the slope.
+struct MaterialPoints {
+  std::vector<double> x;
+  std::vector<double> y;
+  std::vector<int> layer;  // index into Scene::layers
+  double spacing_x = 0;    // of the lattice, m
+  double spacing_y = 0;
+};
+
+/// Column by column from the left, each from the base up. Throws if the surface's elevations are not whole numbers of
+/// spacings where it is level (the top row would be broken), or if no point lies inside.
+MaterialPoints material_points(const Scene& scene);
+
+}  // namespace slidezone

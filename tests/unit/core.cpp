@@ -1,0 +1,50 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/provenance.hpp"
+#include "core/text.hpp"
+
+namespace slidezone {
+namespace {
+
+TEST(ParseReal, TakesFiniteDecimalsOnly) {
+  EXPECT_EQ(parse_real("1e-3"), 1e-3);
+  EXPECT_EQ(parse_real("-.5"), -0.5);
+  for (const char* wrong : {"", "nan", "inf", "-inf", "1e999", "0x10", " 1", "1 ", "1,5", "+-1", "1e"})
+    EXPECT_FALSE(parse_real(wrong)) << wrong;
+}
+
+TEST(ParseWhole, RefusesWhatCli11WouldMisread) {
+  EXPECT_EQ(parse_whole("0"), 0u);
+  EXPECT_EQ(parse_whole("18446744073709551615"), 18446744073709551615u);
+  for (const char* wrong : {"", "-3", "010", "18446744073709551616", "1.0", "1e3", "+1"}) EXPECT_FALSE(parse_whole(wrong)) << wrong;
+}
+
+TEST(FormatReal, ReadsBackExactly) {
+  for (const double value : {0.1, 1.0 / 3, 1e300, 5e-324, -2.5e-7}) EXPECT_EQ(parse_real(format_real(value)), value);
+  EXPECT_EQ(format_real(0.1), "0.1");
+  EXPECT_EQ(format_brief(9.30000001, 3), "9.3");
+}
+
+TEST(NearestHint, OffersOnlyNearNames) {
+  const std::vector<std::string> known = {"height", "length", "angle"};
+  EXPECT_EQ(nearest_hint("hieght", known), "; did you mean 'height'?");
+  EXPECT_EQ(nearest_hint("porosity", known), "");
+}
+
+TEST(Location, NamesWhatIsKnown) {
+  EXPECT_EQ(to_string({"a.toml", 4, 10}), "a.toml:4:10");
+  EXPECT_EQ(to_string({"a.toml", 4, 0}), "a.toml:4");
+  EXPECT_EQ(to_string({"a.toml", 0, 0}), "a.toml");
+}
+
+TEST(Checksum, IsXxh3) {
+  // `printf '' | xxhsum -H3` prints XXH3_2d06800538d394c2.
+  EXPECT_EQ(checksum(""), "2d06800538d394c2");
+}
+
+}  // namespace
+}  // namespace slidezone

@@ -1,0 +1,207 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "io/file.hpp"
+#include "io/hdf5_image.hpp"
+#include "io/table.hpp"
+#include "io/toml.hpp"
+#include "io/units.hpp"
+
+namespace slidezone {
+namespace {
+
+/// The message of the Error that `act` throws; fails the test if it throws none or with another code.
+std::string message_of(const std::function<void()>& act, ExitCode code = ExitCode::data) {
+  try {
+    act();
+  } catch (const Error& error) {
+    EXPECT_EQ(static_cast<int>(error.code()), static_cast<int>(code)) << error.what();
+    return error.what();
+  }
+  ADD_FAILURE() << "no error";
+  return "";
+}
+
+// ---- units ----
+
+TEST(Units, ConvertsToSi) {
+  EXPECT_DOUBLE_EQ(parse_quantity("5 m", "m"), 5);
+  EXPECT_DOUBLE_EQ(parse_quantity("20 kN/m^3", "N m-3"), 20e3);
+  EXPECT_DOUBLE_EQ(parse_quantity("1 MPa", "Pa"), 1e6);
+  EXPECT_NEAR(parse_quantity("45 deg", "rad"), std::numbers::pi / 4, 1e-15);
+  EXPECT_EQ(parse_quantity("0 deg", "rad"), 0);  // UDUNITS alone refuses a unit scaled by zero
+  EXPECT_DOUBLE_EQ(parse_quantity("7.5e-4 s", "s"), 7.5e-4);
+}
+
+TEST(Units, RefusesWrongDimensionsAndText) {
+  for (const char* wrong : {"5", "5 kPa", "m", "", "five m", "nan m", "inf m", "1e999 m", "5 m m", "5 metros", "1e308 km"})
+    EXPECT_THROW(parse_quantity(wrong, "m"), std::invalid_argument) << wrong;
+}
+
+// ---- TOML ----
+
+TEST(Toml, NamesThePlaceOfAWrongDimension) {
+  const TomlTable file = TomlTable::parse("[slope]\n\nheight = \"5 kPa\"\n", "slope.toml");
+  EXPECT_EQ(message_of([&] { file.table("slope").quantity("height", "m", positive); }),
+            "slope.toml:3:10: 'height' wants a length, found \"5 kPa\"; write e.g. \"5 m\"");
+}
+
+TEST(Toml, OffersTheNearestKey) {
+  const TomlTable file = TomlTable::parse("[slope]\nhieght = \"5 m\"\n", "s.toml");
+  EXPECT_EQ(message_of([&] {
+              file.table("slope").check_keys({"height", "length"});
+            }),
+            "s.toml:2:1: unknown key 'hieght' in [slope]; did you mean 'height'?");
+}
+
+TEST(Toml, RefusesNumbersOutOfRangeAndNotFinite) {
+  const TomlTable file = TomlTable::parse("a = -1\nb = nan\nc = inf\nd = \"x\"\n", "s.toml");
+  EXPECT_EQ(message_of([&] { file.number("a", positive); }), "s.toml:1:5: 'a' wants a number above 0, found -1");
+  message_of([&] { file.number("b", any_number); });
+  message_of([&] { file.number("c", any_number); });
+  message_of([&] { file.number("d", any_number); });
+  message_of([&] { file.whole("a", 0, 9); });
+}
+
+TEST(Toml, ReportsSyntaxErrorsWithTheirPlace) {
+  EXPECT_TRUE(message_of([] { TomlTable::parse("[slope\n", "s.toml"); }).starts_with("s.toml:1:7: "));
+}
+
+TEST(Toml, ReadsPolylines) {
+  const TomlTable file = TomlTable::parse("p = [[\"0 m\", \"5 m\"], [\"200 cm\", \"1 m\"]]\nq = [[\"0 m\"]]", "s.toml");
+  const auto points = file.polyline("p", 2);
+  EXPECT_DOUBLE_EQ(points[1].x, 2);
+  message_of([&] { file.polyline("p", 3); });
+  message_of([&] { file.polyline("q", 1); });
+}
+
+// ---- tables ----
+
+TEST(Table, ReadsConcatenatedTables) {
+  Table table({"a", "b"});
+  table.add_row({"1", "x"});
+  const std::string bytes = to_tsv(table, provenance("s 1", "t"));
+  const std::vector<std::string> required = {"a"};
+  const Table read = parse_tsv(bytes + bytes, "f", "s 1", required);
+  ASSERT_EQ(read.row_count(), 2u);
+  EXPECT_EQ(read.whole(1, "a"), 1u);
+  EXPECT_EQ(read.where(1).line, 8);
+}
+
+TEST(Table, NamesFileLineAndColumnOfAWrongField) {
+  const std::vector<std::string> required = {"a"};
+  const Table read = parse_tsv("a\tb\n1\t2\nnan\t3\n", "f.tsv", "s 1", required);
+  EXPECT_EQ(message_of([&] { read.number(1, "a"); }), "f.tsv:3: column 'a': found 'nan', expected a finite number");
+  EXPECT_TRUE(std::isnan(read.number_or_nan(1, "a")));
+}
+
+TEST(Table, RefusesOtherSchemasMissingColumnsAndRaggedRows) {
+  const std::vector<std::string> required = {"a"};
+  message_of([&] { parse_tsv("# schema: s 2\na\n", "f", "s 1", required); });
+  message_of([&] { parse_tsv("b\n1\n", "f", "s 1", required); });
+  message_of([&] { parse_tsv("a\tb\n1\n", "f", "s 1", required); });
+  message_of([&] { parse_tsv("a\ta\n", "f", "s 1", required); });
+  message_of([&] { parse_tsv("", "f", "s 1", required); });
+}
+
+// ---- files ----
+
+class Files : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = testing::TempDir() + "slidezone-XXXXXX";
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder = name;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+  std::filesystem::path folder;
+};
+
+TEST_F(Files, ReplacesWholeAndLeavesNoTemporary) {
+  const std::string path = folder / "out";
+  write_output(path, "first");
+  write_output(path, "second");
+  EXPECT_EQ(read_input(path), "second");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
+}
+
+TEST_F(Files, WritesThroughALink) {
+  std::ofstream(folder / "real") << "old";
+  std::filesystem::create_symlink("real", folder / "link");
+  write_output(folder / "link", "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+  EXPECT_EQ(read_input(folder / "real"), "new");
+}
+
+TEST_F(Files, NamesWhatIsMissing) {
+  message_of([&] { read_input(folder / "absent"); }, ExitCode::no_input);
+  message_of([&] { write_output(folder / "no" / "such", "x"); }, ExitCode::cannot_create);
+  message_of([&] { write_output(folder, "x"); }, ExitCode::cannot_create);
+}
+
+TEST(File, ReportsAFullDisk) {
+  message_of([] { write_output("/dev/full", "x"); }, ExitCode::io);
+}
+
+// ---- HDF5 ----
+
+std::string sample_image() {
+  Hdf5Writer writer;
+  writer.provenance(provenance("s 1", "t"));
+  writer.group("g");
+  writer.attribute("g", "unit", std::string("Pa"));
+  std::vector<double> values(600);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i) / 7;
+  writer.dataset("g/v", values, {2, 300});
+  return writer.image();
+}
+
+TEST(Hdf5, ReadsBackWhatWasWritten) {
+  const Hdf5Reader reader(sample_image(), "f.h5", "s 1");
+  EXPECT_EQ(reader.text_attribute("g", "unit"), "Pa");
+  EXPECT_EQ(reader.shape("g/v"), (std::vector<std::size_t>{2, 300}));
+  EXPECT_EQ(reader.reals("g/v")[301], 301.0 / 7);
+  EXPECT_EQ(reader.reals("g/v", 1)[1], 301.0 / 7);
+  EXPECT_EQ(reader.members("g"), std::vector<std::string>{"v"});
+  EXPECT_FALSE(reader.has("g/w"));
+}
+
+TEST(Hdf5, GivesEqualBytesForEqualContents) { EXPECT_EQ(sample_image(), sample_image()); }
+
+TEST(Hdf5, NamesOtherSchemas) {
+  EXPECT_EQ(message_of([] { Hdf5Reader(sample_image(), "f.h5", "s 2"); }), "f.h5: found schema 's 1', expected 's 2'");
+  message_of([] { Hdf5Reader("", "f.h5", "s 1"); });
+  message_of([] { Hdf5Reader("not HDF5", "f.h5", "s 1"); });
+}
+
+TEST(Hdf5, NoticesCorruptionAnywhereInTheNumbers) {
+  const std::string whole = sample_image();
+  const double marker = 301.0 / 7;
+  const std::string_view pattern(reinterpret_cast<const char*>(&marker), sizeof marker);
+  const std::size_t place = whole.find(pattern);
+  ASSERT_NE(place, std::string::npos);
+  for (std::size_t bit = 0; bit < 64; ++bit) {
+    std::string damaged = whole;
+    damaged[place + bit / 8] = static_cast<char>(damaged[place + bit / 8] ^ (1 << bit % 8));
+    message_of([&] { Hdf5Reader(damaged, "f.h5", "s 1").reals("g/v"); });
+  }
+}
+
+TEST(Hdf5, NoticesATruncatedFile) {
+  const std::string whole = sample_image();
+  message_of([&] { Hdf5Reader(whole.substr(0, whole.size() / 2), "f.h5", "s 1").reals("g/v"); });
+}
+
+}  // namespace
+}  // namespace slidezone
