@@ -1,0 +1,83 @@
+# tests/check_schema.py itself: sound files pass, and each kind of fault is found. Real files are held by the tools' own tests.
+load helper
+
+check() { run python3 "$TOP/tests/check_schema.py" "$BATS_TEST_TMPDIR/description.json" "$BATS_TEST_TMPDIR/file"; }
+
+describe() { cat >"$BATS_TEST_TMPDIR/description.json"; }
+
+describe_tsv() {
+  describe <<'END'
+{"schema": "slidezone-example 1", "kind": "tsv", "meaning": "an example", "columns": [
+  {"name": "run", "type": "whole", "meaning": "its number"},
+  {"name": "status", "type": "choice", "choices": ["slid", "stable"], "meaning": "how it ended"},
+  {"name": "reach_m", "type": "real", "unit": "m", "missing": "nan", "meaning": "how far"}]}
+END
+}
+
+# table LINE ...: a table with provenance and header, then the lines, in which blanks stand for tabs.
+table() {
+  { printf '# schema: slidezone-example 1\n# tool: example 0.1.0\n'; printf '%s\n' 'run status reach_m' "$@" | tr ' ' '\t'; } \
+    >"$BATS_TEST_TMPDIR/file"
+}
+
+@test "TSV: a sound table passes, also concatenated" {
+  describe_tsv
+  table '1 slid 0.5' '2 stable nan'
+  cat "$BATS_TEST_TMPDIR/file" "$BATS_TEST_TMPDIR/file" >"$BATS_TEST_TMPDIR/twice"
+  mv "$BATS_TEST_TMPDIR/twice" "$BATS_TEST_TMPDIR/file"
+  check
+  assert_success
+  assert_output ""
+}
+
+@test "TSV: wrong fields are faults with their line" {
+  describe_tsv
+  local row
+  for row in '-1 slid 0.5' '01 slid 0.5' '1 gone 0.5' '1 slid inf' '1 slid 1e999' '1 slid nan ' '1 slid' '1 slid unbounded'; do
+    table '1 slid 2' "$row"
+    check
+    assert_failure 1
+    assert_output --partial "file:5: "
+  done
+}
+
+@test "TSV: another schema, no provenance, another order of columns are faults" {
+  describe_tsv
+  table '1 slid 2'
+  sed -i 's/example 1/example 2/' "$BATS_TEST_TMPDIR/file"
+  check
+  assert_failure 1
+  printf 'run\tstatus\treach_m\n' >"$BATS_TEST_TMPDIR/file"
+  check
+  assert_failure 1
+  table '1 slid 2'
+  sed -i 's/^run\tstatus/status\trun/' "$BATS_TEST_TMPDIR/file"
+  check
+  assert_failure 1
+  assert_output --partial "expected ['run', 'status', 'reach_m']"
+}
+
+@test "a description with a misspelt key is refused" {
+  describe <<<'{"schema": "x 1", "kind": "tsv", "colums": []}'
+  : >"$BATS_TEST_TMPDIR/file"
+  check
+  assert_failure 2
+}
+
+describe_toml() {
+  describe <<'END'
+{"$schema": "https://json-schema.org/draft/2020-12/schema", "type": "object", "additionalProperties": false,
+ "properties": {"height": {"type": "string"}}}
+END
+}
+
+@test "TOML: a JSON Schema decides" {
+  describe_toml
+  echo 'height = "5 m"' >"$BATS_TEST_TMPDIR/file"
+  check
+  assert_success
+  echo 'heigth = "5 m"' >"$BATS_TEST_TMPDIR/file"
+  check
+  assert_failure 1
+  assert_output --partial "heigth"
+}
