@@ -107,7 +107,7 @@ Table parse_tsv(std::string_view bytes, const std::string& name, std::string_vie
     std::vector<std::string> fields = split(line, '\t');
     if (!table) {
       check_header(fields, required, where);
-      table.emplace(std::move(fields));
+      table.emplace(std::move(fields), where);
     } else if (fields == table->columns()) {
       continue;
     } else if (fields.size() != table->columns().size()) {

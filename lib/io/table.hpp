@@ -17,7 +17,8 @@ namespace slidezone {
 
 class Table {
  public:
-  explicit Table(std::vector<std::string> columns) : columns_(std::move(columns)) {}
+  /// `header` is the place of the header row in a file, for messages.
+  explicit Table(std::vector<std::string> columns, Location header = {}) : columns_(std::move(columns)), header_(std::move(header)) {}
 
   const std::vector<std::string>& columns() const { return columns_; }
   std::size_t row_count() const { return rows_.size(); }
@@ -34,7 +35,8 @@ class Table {
   double number_or_nan(std::size_t row, std::string_view column) const;
   std::uint64_t whole(std::size_t row, std::string_view column) const;
 
-  /// Where a row stands.
+  /// Where the header row and a row stand.
+  const Location& header() const { return header_; }
   const Location& where(std::size_t row) const { return rows_[row].where; }
 
  private:
@@ -45,6 +47,7 @@ class Table {
   std::optional<std::size_t> index_of(std::string_view column) const;
 
   std::vector<std::string> columns_;
+  Location header_;
   std::vector<Row> rows_;
 };
 

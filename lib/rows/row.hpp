@@ -1,0 +1,62 @@
+// Rows: what one realization leaves behind, as mpmrun writes it and mcstats and zoning read it ("slidezone-row 1").
+//
+// Distances in m, areas in m2, times in s. A value that does not exist is nan in memory and `nan` in the table: a diverged
+// run has no reach, a run that never came to rest has no time of rest. Every other run has a finite influence and runout;
+// those of a run that left the domain are lower bounds (it was stopped while it moved).
+//
+// Realization 0 is the deterministic run, random realizations carry 1, 2, ...; each number may stand once. A number that
+// stands twice is an error even where both rows are equal: a table given twice would otherwise narrow every interval.
+//
+// Throws Error(ExitCode::data) with file:line for unknown or missing columns, an unknown status, a number that is missing
+// or not finite, and numbers that stand twice.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/provenance.hpp"
+
+namespace slidezone {
+
+inline constexpr std::string_view row_schema = "slidezone-row 1";
+
+enum class Status {
+  slid,         // some point moved more than 1 m, and all stayed inside the grid
+  stable,       // no point moved more than 1 m
+  left_domain,  // a point reached the end of the grid: the reach is a lower bound
+  diverged,     // NaN, instability or a broken energy balance: the reach is unknown
+};
+
+/// "slid", "stable", "left_domain" or "diverged".
+std::string to_string(Status status);
+
+struct Row {
+  std::uint64_t realization = 0;
+  Status status = Status::slid;
+  double influence = 0;       // influence distance I behind the crest, by a drop of 0.5 m
+  double runout = 0;          // runout distance R of the main body in front of the toe
+  double influence_1m = 0;    // influence distance by a drop of 1 m
+  double runout_max = 0;      // farthest point of all in front of the toe
+  double displaced_area = 0;  // area of the section that moved, m2
+  double rest_time = 0;       // when the slide came to rest, s
+  std::uint64_t steps = 0;
+  double energy_error = 0;    // error of the energy balance over the work of gravity
+  std::uint64_t floored = 0;  // field values that were raised to the floor
+};
+
+/// One row as a whole table with its provenance.
+std::string to_tsv(const Row& row, const Provenance& provenance);
+
+/// Rows as one table, e.g. for a checksum that does not depend on how they were split into files.
+std::string to_tsv(std::span<const Row> rows, const Provenance& provenance);
+
+/// All rows of one table or of several concatenated ones, by realization; `name` is the file's name in messages.
+std::vector<Row> parse_rows(std::string_view bytes, const std::string& name);
+
+/// All rows of several files ("-" is stdin), by realization; at least one.
+std::vector<Row> read_rows(std::span<const std::string> paths);
+
+}  // namespace slidezone
