@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "core/text.hpp"
@@ -37,13 +38,23 @@ static std::string description(Range range) {
   const bool has_low = std::isfinite(range.low);
   const bool has_high = std::isfinite(range.high);
   const std::string low = (range.is_low_excluded ? "above " : "at least ") + format_real(range.low);
-  const std::string high = "at most " + format_real(range.high);
+  const std::string high = (range.is_high_excluded ? "below " : "at most ") + format_real(range.high);
   if (has_low && has_high) return low + " and " + high;
   return has_low ? low : high;
 }
 
+/// The range of a quantity in `unit`; angles in degrees.
+static std::string description(Range range, const std::string& unit) {
+  if (unit != "rad") return description(range) + " " + unit;
+  range.low *= 180 / std::numbers::pi;
+  range.high *= 180 / std::numbers::pi;
+  return description(range) + " deg";
+}
+
 static bool contains(Range range, double value) {
-  return std::isfinite(value) && (range.is_low_excluded ? value > range.low : value >= range.low) && value <= range.high;
+  const bool is_above = range.is_low_excluded ? value > range.low : value >= range.low;
+  const bool is_below = range.is_high_excluded ? value < range.high : value <= range.high;
+  return std::isfinite(value) && is_above && is_below;
 }
 
 TomlTable TomlTable::parse(std::string_view text, const std::string& name) {
@@ -83,6 +94,11 @@ Location TomlTable::where(const std::string& key) const {
 
 void TomlTable::fail(const std::string& key, const std::string& message) const { fail_at(where(key), "'" + key + "' " + message); }
 
+void TomlTable::fail(const std::string& key, std::size_t index, const std::string& message) const {
+  const toml::node* item = node_->table->get(key)->as_array()->get(index);
+  fail_at(location(node_->file_name, item->source()), "'" + key + "' " + message);
+}
+
 /// The node of a required key.
 static const toml::node& required(const toml::table& table, const TomlTable& view, const std::string& table_name, const std::string& key) {
   const toml::node* node = table.get(key);
@@ -108,19 +124,46 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
   return tables;
 }
 
-double TomlTable::quantity(const std::string& key, const std::string& unit, Range range) const {
-  const toml::node& node = required(*node_->table, *this, node_->table_name, key);
+/// The value of a quantity; `key` and `where` are for messages.
+static double quantity_of(const toml::node& node, const Location& where, const std::string& key, const std::string& unit, Range range) {
   const auto text = node.value_exact<std::string>();
   if (!text)
-    fail(key, "wants a text with its unit, found " + description(node) + "; write e.g. \"" + description(node) + " " + unit + "\"");
+    fail_at(where,
+            "'" + key + "' wants a text with its unit, found " + description(node) + "; write e.g. \"" + quantity_example(unit) + '"');
   double value = 0;
   try {
     value = parse_quantity(*text, unit);
   } catch (const std::invalid_argument& error) {
-    fail(key, error.what());
+    fail_at(where, "'" + key + "' " + error.what());
   }
-  if (!contains(range, value)) fail(key, "wants " + description(range) + " " + unit + ", found \"" + *text + "\"");
+  if (!contains(range, value)) fail_at(where, "'" + key + "' wants " + description(range, unit) + ", found \"" + *text + '"');
   return value;
+}
+
+double TomlTable::quantity(const std::string& key, const std::string& unit, Range range) const {
+  return quantity_of(required(*node_->table, *this, node_->table_name, key), where(key), key, unit, range);
+}
+
+/// The two items of a list of two; fails for other lists and values.
+static const toml::array& pair_of(const toml::node& node, const Location& where, const std::string& key, const std::string& expected) {
+  const toml::array* pair = node.as_array();
+  if (pair != nullptr && pair->size() == 2) return *pair;
+  const std::string found = pair == nullptr ? description(node) : "a list of " + std::to_string(pair->size());
+  fail_at(where, "'" + key + "' wants " + expected + ", found " + found);
+}
+
+Vec2 TomlTable::quantity_pair(const std::string& key, const std::string& unit, Range range) const {
+  const toml::node& node = required(*node_->table, *this, node_->table_name, key);
+  if (!node.is_array()) {
+    const double both = quantity(key, unit, range);
+    return {both, both};
+  }
+  const std::string example = '"' + quantity_example(unit) + '"';
+  const toml::array& pair = pair_of(node, where(key), key, example + " or [" + example + ", " + example + "] (x, y)");
+  const auto item = [&](std::size_t i) {
+    return quantity_of(*pair.get(i), location(node_->file_name, pair.get(i)->source()), key, unit, range);
+  };
+  return {item(0), item(1)};
 }
 
 double TomlTable::number(const std::string& key, Range range) const {
@@ -160,17 +203,6 @@ std::string TomlTable::choice(const std::string& key, const std::vector<std::str
   fail(key, "wants " + list_of(names) + ", found \"" + value + '"' + nearest_hint(value, names));
 }
 
-/// One coordinate of a polyline.
-static double coordinate(const toml::node& node, const std::string& file, const std::string& key) {
-  const auto text = node.value_exact<std::string>();
-  try {
-    if (text) return parse_quantity(*text, "m");
-  } catch (const std::invalid_argument& error) {
-    fail_at(location(file, node.source()), "'" + key + "' " + error.what());
-  }
-  fail_at(location(file, node.source()), "'" + key + "' wants coordinates like \"5 m\", found " + description(node));
-}
-
 std::vector<Vec2> TomlTable::polyline(const std::string& key, std::size_t least) const {
   const toml::node& node = required(*node_->table, *this, node_->table_name, key);
   const toml::array* list = node.as_array();
@@ -179,12 +211,12 @@ std::vector<Vec2> TomlTable::polyline(const std::string& key, std::size_t least)
                   (list == nullptr ? description(node) : std::to_string(list->size())));
   std::vector<Vec2> points;
   for (const toml::node& item : *list) {
-    const toml::array* pair = item.as_array();
-    if (pair == nullptr || pair->size() != 2)
-      fail_at(location(node_->file_name, item.source()),
-              "'" + key + "' wants points of two coordinates like [\"0 m\", \"5 m\"], found " +
-                  (pair == nullptr ? description(item) : std::to_string(pair->size()) + " of them"));
-    points.push_back({coordinate(*pair->get(0), node_->file_name, key), coordinate(*pair->get(1), node_->file_name, key)});
+    const toml::array& pair =
+        pair_of(item, location(node_->file_name, item.source()), key, "points of two coordinates like [\"0 m\", \"5 m\"]");
+    const auto coordinate = [&](std::size_t i) {
+      return quantity_of(*pair.get(i), location(node_->file_name, pair.get(i)->source()), key, "m", any_number);
+    };
+    points.push_back({coordinate(0), coordinate(1)});
   }
   return points;
 }

@@ -1,7 +1,7 @@
 // Tables of a TOML file, read strictly: unknown and missing keys, wrong types, wrong dimensions and numbers out of range
 // are errors with file:line:column, what was found and what was expected.
 //
-// Range of a number: inclusive bounds by default; Bound::open excludes both. Every number is finite.
+// Range of a number: inclusive bounds unless excluded. Every number is finite.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,12 @@
 
 namespace slidezone {
 
-/// Accepted values: low <= value <= high, or low < value where `is_low_excluded`.
+/// Accepted values: low <= value <= high, or low < value where `is_low_excluded`, value < high where `is_high_excluded`.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   bool is_low_excluded = false;
+  bool is_high_excluded = false;
 };
 
 inline constexpr Range any_number{};
@@ -52,6 +53,8 @@ class TomlTable {
   std::string text(const std::string& key) const;
   bool truth(const std::string& key) const;
   std::string choice(const std::string& key, const std::vector<std::string>& names) const;
+  /// One quantity for both axes, "0.2 m", or one for each, ["0.2 m", "0.1 m"] (x, y).
+  Vec2 quantity_pair(const std::string& key, const std::string& unit, Range range) const;
   /// [["0 m", "5 m"], ...] as points in metres; at least `least` of them.
   std::vector<Vec2> polyline(const std::string& key, std::size_t least) const;
 
@@ -71,6 +74,8 @@ class TomlTable {
 
   /// Throws at the key's value: "<place>: '<key>' <message>".
   [[noreturn]] void fail(const std::string& key, const std::string& message) const;
+  /// The same at item `index` of the key's list.
+  [[noreturn]] void fail(const std::string& key, std::size_t index, const std::string& message) const;
 
  private:
   struct Node;

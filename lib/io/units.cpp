@@ -66,6 +66,8 @@ ut_system* unit_system() {
 
 }  // namespace
 
+std::string quantity_example(const std::string& unit) { return dimension_of(unit).example; }
+
 double parse_quantity(std::string_view text, const std::string& unit) {
   const Dimension dimension = dimension_of(unit);
   const std::string expected =

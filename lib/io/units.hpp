@@ -10,4 +10,7 @@ namespace slidezone {
 /// std::invalid_argument with what was found and what was expected; the caller knows the place.
 double parse_quantity(std::string_view text, const std::string& unit);
 
+/// How a quantity in `unit` may be written, for messages: "30 deg" for "rad".
+std::string quantity_example(const std::string& unit);
+
 }  // namespace slidezone

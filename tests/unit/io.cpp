@@ -86,6 +86,29 @@ TEST(Toml, ReadsPolylines) {
   message_of([&] { file.polyline("q", 1); });
 }
 
+TEST(Toml, ReadsOneQuantityForBothAxesOrOneForEach) {
+  const TomlTable file = TomlTable::parse("a = \"2 m\"\nb = [\"1 m\", \"50 cm\"]\nc = [\"1 m\"]\nd = [\"1 m\", \"-1 m\"]\ne = 3", "s.toml");
+  EXPECT_EQ(file.quantity_pair("a", "m", positive).y, 2);
+  EXPECT_DOUBLE_EQ(file.quantity_pair("b", "m", positive).x, 1);
+  EXPECT_DOUBLE_EQ(file.quantity_pair("b", "m", positive).y, 0.5);
+  EXPECT_EQ(message_of([&] { file.quantity_pair("c", "m", positive); }),
+            "s.toml:3:5: 'c' wants \"5 m\" or [\"5 m\", \"5 m\"] (x, y), found a list of 1");
+  EXPECT_EQ(message_of([&] { file.quantity_pair("d", "m", positive); }), "s.toml:4:13: 'd' wants above 0 m, found \"-1 m\"");
+  EXPECT_EQ(message_of([&] { file.quantity_pair("e", "m", positive); }),
+            "s.toml:5:5: 'e' wants a text with its unit, found 3; write e.g. \"5 m\"");
+}
+
+TEST(Toml, GivesRangesOfAnglesInDegrees) {
+  const TomlTable file = TomlTable::parse("a = \"90 deg\"\n", "s.toml");
+  const Range acute{0, std::numbers::pi / 2, false, true};
+  EXPECT_EQ(message_of([&] { file.quantity("a", "rad", acute); }), "s.toml:1:5: 'a' wants at least 0 and below 90 deg, found \"90 deg\"");
+}
+
+TEST(Toml, NamesThePlaceOfAnItem) {
+  const TomlTable file = TomlTable::parse("a = [1,\n  2]\n", "s.toml");
+  EXPECT_EQ(message_of([&] { file.fail("a", 1, "is wrong"); }), "s.toml:2:3: 'a' is wrong");
+}
+
 // ---- tables ----
 
 TEST(Table, ReadsConcatenatedTables) {
