@@ -105,8 +105,8 @@ struct MaterialPoints {
   double spacing_y = 0;
 };
 
-/// Column by column from the left, each from the base up. Throws if the surface's elevations are not whole numbers of
-/// spacings where it is level (the top row would be broken), or if no point lies inside.
+/// Column by column from the left, each from the base up. Lattice points on the surface are outside. A point belongs to
+/// the last layer whose top lies above it. Throws if no point lies inside, or none in some layer.
 MaterialPoints material_points(const Scene& scene);
 
 }  // namespace slidezone

@@ -1,0 +1,97 @@
+#include <map>
+
+#include "core/text.hpp"
+#include "scene/read_tables.hpp"
+
+namespace slidezone {
+
+static const Range fraction{0, 1, true};
+static const Range proper_fraction{0, 1, true, true};
+
+/// The value that a word stands for; an absent key leaves `absent`.
+template <class Value>
+static Value choice_or(const TomlTable& table, const std::string& key, const std::map<std::string, Value>& values, Value absent) {
+  if (!table.has(key)) return absent;
+  std::vector<std::string> names;
+  for (const auto& [name, value] : values) names.push_back(name);
+  return values.at(table.choice(key, names));
+}
+
+void read_base(const TomlTable& table, Boundaries& boundaries) {
+  table.check_keys({"contact", "friction"});
+  const std::map<std::string, BaseContact> contacts = {
+      {"bilateral", BaseContact::bilateral}, {"unilateral", BaseContact::unilateral}, {"stick", BaseContact::stick}};
+  boundaries.base = choice_or(table, "contact", contacts, boundaries.base);
+  if (boundaries.base != BaseContact::stick)
+    boundaries.base_friction = table.number("friction", not_negative);
+  else if (table.has("friction"))
+    table.fail("friction", "has no place where the contact is \"stick\", which never slides");
+}
+
+void read_walls(const TomlTable& table, Boundaries& boundaries) {
+  table.check_keys({"left", "right"});
+  const std::map<std::string, Wall> walls = {{"roller", Wall::roller}, {"stick", Wall::stick}, {"open", Wall::open}};
+  boundaries.left = choice_or(table, "left", walls, boundaries.left);
+  boundaries.right = choice_or(table, "right", walls, boundaries.right);
+}
+
+Gravity read_gravity(const TomlTable& table) {
+  table.check_keys({"acceleration", "protocol", "ramp_time", "k0"});
+  const std::map<std::string, GravityProtocol> protocols = {
+      {"sudden", GravityProtocol::sudden}, {"ramp", GravityProtocol::ramp}, {"k0", GravityProtocol::k0}};
+  Gravity gravity;
+  gravity.acceleration.y = -table.quantity_or("acceleration", "m s-2", positive, -gravity.acceleration.y);
+  gravity.protocol = choice_or(table, "protocol", protocols, gravity.protocol);
+  if (gravity.protocol == GravityProtocol::ramp)
+    gravity.ramp_time = table.quantity_or("ramp_time", "s", positive, gravity.ramp_time);
+  else if (table.has("ramp_time"))
+    table.fail("ramp_time", "has a meaning only with protocol = \"ramp\"");
+  if (table.has("k0") && gravity.protocol != GravityProtocol::k0) table.fail("k0", "has a meaning only with protocol = \"k0\"");
+  if (table.has("k0")) gravity.k0 = table.number("k0", not_negative);
+  return gravity;
+}
+
+static RestRule read_rest(const TomlTable& table, double end) {
+  table.check_keys({"fraction", "hold"});
+  RestRule rest;
+  rest.fraction = table.number_or("fraction", proper_fraction, rest.fraction);
+  rest.hold = table.quantity_or("hold", "s", positive, rest.hold);
+  if (rest.hold >= end)
+    table.fail("hold", "wants less than the whole run of " + format_brief(end) + " s, found " + format_brief(rest.hold) + " s");
+  return rest;
+}
+
+TimeStepping read_time(const TomlTable& table, const Gravity& gravity) {
+  table.check_keys({"end", "step", "step_fraction", "rest"});
+  TimeStepping time;
+  time.end = table.quantity("end", "s", positive);
+  if (gravity.protocol == GravityProtocol::ramp && time.end < gravity.ramp_time)
+    table.fail("end", "wants at least the " + format_brief(gravity.ramp_time) + " s over which gravity grows, found " +
+                          format_brief(time.end) + " s");
+  if (table.has("step")) time.step = table.quantity("step", "s", positive);
+  if (time.step > time.end)
+    table.fail("step", "wants at most the end, " + format_brief(time.end) + " s, found " + format_brief(*time.step) + " s");
+  if (time.step && table.has("step_fraction")) table.fail("step_fraction", "cannot stand beside 'step'; give either");
+  time.step_fraction = table.number_or("step_fraction", fraction, time.step_fraction);
+  if (table.has("rest")) time.rest = read_rest(table.table("rest"), time.end);
+  return time;
+}
+
+Output read_output(const TomlTable& table) {
+  table.check_keys({"influence_drop", "slid_displacement"});
+  Output output;
+  output.influence_drop = table.quantity_or("influence_drop", "m", positive, output.influence_drop);
+  output.slid_displacement = table.quantity_or("slid_displacement", "m", positive, output.slid_displacement);
+  return output;
+}
+
+Study read_study(const TomlTable& table) {
+  table.check_keys({"seed", "realizations"});
+  constexpr std::uint64_t largest = std::numeric_limits<std::int64_t>::max();  // what TOML can write
+  Study study;
+  study.seed = table.whole_or("seed", 0, largest, study.seed);
+  study.realizations = table.whole_or("realizations", 1, largest, study.realizations);
+  return study;
+}
+
+}  // namespace slidezone

@@ -1,0 +1,42 @@
+#include "core/provenance.hpp"
+#include "io/file.hpp"
+#include "io/toml.hpp"
+#include "scene/read_tables.hpp"
+#include "scene/scene.hpp"
+
+namespace slidezone {
+
+/// Asking for a table that is absent fails with its name.
+static void check_needs(const TomlTable& file, Needs needs) {
+  file.table("slope");
+  if (needs.grid) file.table("grid");
+  if (needs.soil) file.tables("soil");
+  if (needs.time) file.table("time");
+  if (needs.time) file.table("base");
+  if (needs.field) file.table("field");
+}
+
+Scene parse_scene(std::string_view text, const std::string& name, Needs needs) {
+  const TomlTable file = TomlTable::parse(text, name);
+  file.check_keys({"title", "slope", "grid", "soil", "base", "walls", "gravity", "time", "field", "output", "study"});
+  check_needs(file, needs);
+  Scene scene;
+  scene.name = name;
+  scene.checksum = checksum(text);
+  if (file.has("title")) scene.title = file.text("title");
+  scene.slope = read_slope(file.table("slope"));
+  if (file.has("grid")) scene.discretization = read_grid(file.table("grid"), file.table("slope"), scene.slope);
+  if (file.has("soil")) scene.layers = read_layers(file.tables("soil"));
+  if (file.has("base")) read_base(file.table("base"), scene.boundaries);
+  if (file.has("walls")) read_walls(file.table("walls"), scene.boundaries);
+  if (file.has("gravity")) scene.gravity = read_gravity(file.table("gravity"));
+  if (file.has("time")) scene.time = read_time(file.table("time"), scene.gravity);
+  if (file.has("field")) scene.fields = read_fields(file.table("field"), scene.slope, scene.layers);
+  if (file.has("output")) scene.output = read_output(file.table("output"));
+  if (file.has("study")) scene.study = read_study(file.table("study"));
+  return scene;
+}
+
+Scene read_scene(const std::string& path, Needs needs) { return parse_scene(read_input(path), input_name(path), needs); }
+
+}  // namespace slidezone

@@ -1,0 +1,37 @@
+// The tables of a scene file, one reader each. Each checks its own keys and, where it is given more than its table, how
+// it fits what was read before. Values in SI units; errors as in io/toml.hpp.
+#pragma once
+
+#include <vector>
+
+#include "io/toml.hpp"
+#include "scene/scene.hpp"
+
+namespace slidezone {
+
+/// [slope]: height, length and angle of a straight face, or any surface.
+Slope read_slope(const TomlTable& table);
+
+/// [grid]. The slope must fit with a cell above it, end on the base or at the right wall, and be level only at whole
+/// numbers of point spacings: elsewhere the top row of points would be cut off.
+Discretization read_grid(const TomlTable& table, const TomlTable& slope_table, const Slope& slope);
+
+/// [[soil]], from the surface down.
+std::vector<Layer> read_layers(const std::vector<TomlTable>& tables);
+
+/// [base] and [walls].
+void read_base(const TomlTable& table, Boundaries& boundaries);
+void read_walls(const TomlTable& table, Boundaries& boundaries);
+
+Gravity read_gravity(const TomlTable& table);
+
+/// [time]; gravity must be full before the end.
+TimeStepping read_time(const TomlTable& table, const Gravity& gravity);
+
+/// [field.<parameter>], every one of them. Means must exceed the residual strength, which is the floor of a field.
+std::vector<FieldSpec> read_fields(const TomlTable& table, const Slope& slope, const std::vector<Layer>& layers);
+
+Output read_output(const TomlTable& table);
+Study read_study(const TomlTable& table);
+
+}  // namespace slidezone
