@@ -1,21 +1,79 @@
 # slidezone: `make` builds, `make demo` shows, `make check` tests. Both of the latter install what is missing first.
+#
+#   make                       build the tools into build/bin
+#   make setup                 install the Debian packages that are missing, as root or through sudo
+#   make demo                  set up, build, run the benchmark and a small study, draw the pictures
+#   make check                 set up, build, run all tests but the slow ones
+#   make check-slow            set up, build, run the slow tests
+#   make install PREFIX=DIR    build and install tools and man pages (default /usr/local; DESTDIR is honoured)
+#   make clean                 remove what was built and what the demo made
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DELETE_ON_ERROR:
-MAKEFLAGS += --no-builtin-rules
+.NOTPARALLEL:
+MAKEFLAGS += --no-builtin-rules --warn-undefined-variables
 
 BUILD := build
+PREFIX := /usr/local
+DESTDIR :=
+JOBS := $(shell nproc)
 
-.PHONY: all check clean
+# What building, testing and the demo need, and what the slow tests need on top.
+PACKAGES := g++ cmake make pkg-config libeigen3-dev libgsl-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libudunits2-dev \
+            librandom123-dev libxxhash-dev libgtest-dev bats bats-assert bats-support bats-file python3-jsonschema hdf5-tools \
+            gnuplot-nox help2man
+PACKAGES_SLOW := python3-vtk9
+
+.PHONY: all setup demo check check-slow install clean
+
+# CMake's own makefiles are not clean under our flags.
+cmake := env -u MAKEFLAGS -u MAKELEVEL cmake
 
 all: $(BUILD)/CMakeCache.txt
-	cmake --build $(BUILD) --parallel
+	$(cmake) --build $(BUILD) --parallel $(JOBS)
 
 $(BUILD)/CMakeCache.txt: CMakeLists.txt
-	cmake -S . -B $(BUILD)
+	$(if $(missing),$(error not installed: $(missing); 'make setup' installs them))
+	$(cmake) -S . -B $(BUILD) -DCMAKE_INSTALL_PREFIX=$(PREFIX)
 
-check: all
-	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error --parallel 2
+# ---- setup --------------------------------------------------------------------------------------------------------------
+
+packages = $(PACKAGES)
+check-slow: packages = $(PACKAGES) $(PACKAGES_SLOW)
+
+# Missing packages; none where there is no dpkg to ask, for then CMake will tell.
+installed = $(shell dpkg-query --show --showformat '$${db:Status-Status} $${Package}\n' 2>/dev/null | sed -n 's/^installed //p')
+missing = $(if $(shell command -v dpkg-query),$(filter-out $(installed),$(packages)))
+
+is_root = $(filter 0,$(shell id -u))
+sudo = $(if $(is_root),,$(shell command -v sudo))
+apt_get = $(sudo) env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Acquire::Retries=3
+by_hand = apt-get install --no-install-recommends $(missing)
+
+setup:
+	$(if $(missing),$(install_missing),@:)
+
+define install_missing
+@$(if $(or $(is_root),$(sudo)),,$(error not installed: $(missing); neither root nor sudo is at hand: as root, run '$(by_hand)'))\
+echo "Installing $(words $(missing)) Debian packages and what they need: $(missing)"
+@{ $(apt_get) update && $(apt_get) install --yes --no-install-recommends $(missing) >/dev/null; } || \
+  { echo "These packages could not be installed; as root, run '$(by_hand)'" >&2; exit 1; }
+endef
+
+# ---- the main jobs ------------------------------------------------------------------------------------------------------
+
+demo: setup all
+	@$(MAKE) --no-print-directory --directory pipelines/benchmark --jobs=$(JOBS)
+	@$(MAKE) --no-print-directory --directory pipelines/demo --jobs=$(JOBS)
+
+check: setup all
+	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error --parallel $(JOBS) --label-exclude slow
+
+check-slow: setup all
+	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error --parallel $(JOBS) --label-regex slow
+
+install: all
+	$(cmake) --install $(BUILD) --prefix $(PREFIX)
 
 clean:
-	rm -rf $(BUILD)
+	rm -rf $(BUILD) pipelines/*/out

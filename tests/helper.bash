@@ -15,6 +15,7 @@ SLIDEZONE_BUILD=${SLIDEZONE_BUILD:-$TOP/build}
 SLIDEZONE_BIN=${SLIDEZONE_BIN:-$SLIDEZONE_BUILD/bin}
 PATH=$SLIDEZONE_BIN:$PATH
 export LC_ALL=C NO_COLOR=1
+unset MAKEFLAGS MFLAGS MAKELEVEL  # of a make that runs the tests: a make under test must not inherit them
 
 # assert_finite VALUE: a finite decimal number. awk alone would take "nan", "inf" and "" for numbers.
 assert_finite() {

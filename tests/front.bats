@@ -1,0 +1,93 @@
+# The front door: what stands at the top level, and `make setup` against stand-ins for dpkg-query, apt-get, sudo and id.
+load helper
+
+# stub NAME: an executable of that name, first in PATH, whose body is read from stdin.
+stub() {
+  { echo '#!/bin/sh'; cat; } >"$stubs/$1"
+  chmod +x "$stubs/$1"
+}
+
+setup() {
+  stubs=$BATS_TEST_TMPDIR/stubs
+  make_path=$stubs:$PATH
+  calls=$BATS_TEST_TMPDIR/calls
+  export calls
+  mkdir "$stubs"
+  : >"$calls"
+  stub apt-get <<<'echo "apt-get $*" >>"$calls"'
+  stub sudo <<<'echo sudo >>"$calls"; exec "$@"'
+  installed_are gcc make
+  user_is 0
+}
+
+installed_are() { printf 'printf "installed %%s\\n" %s\n' "$*" | stub dpkg-query; }
+user_is() { stub id <<<"echo $1"; }
+without_sudo() {  # a PATH that holds the stand-ins and what make needs, but no sudo
+  make_path=$stubs
+  rm "$stubs/sudo"
+  local program
+  for program in bash sh make env sed nproc; do ln -s "$(command -v "$program")" "$stubs/$program"; done
+}
+
+run_make() { PATH=$make_path run make --no-print-directory -C "$TOP" PACKAGES="make gcc bats cmake" "$@"; }
+
+@test "nothing missing: apt-get is not called" {
+  installed_are make gcc bats cmake
+  run_make setup
+  assert_success
+  assert_output ""
+  assert_equal "$(<"$calls")" ""
+}
+
+@test "as root, exactly what is missing is installed after an update" {
+  run_make setup
+  assert_success
+  assert_output --partial "bats cmake"
+  run cat "$calls"
+  assert_line --index 0 --regexp '^apt-get .*update$'
+  assert_line --index 1 --regexp '^apt-get .*install .* bats cmake$'
+  assert_equal "${#lines[@]}" 2
+}
+
+@test "a package that was removed but left its settings is missing" {
+  stub dpkg-query <<<'printf "installed %s\n" make gcc bats; echo "config-files cmake"'
+  run_make setup
+  assert_success
+  run tail -n 1 "$calls"
+  assert_output --regexp 'install .* cmake$'
+}
+
+@test "as a user, the same through sudo" {
+  user_is 1000
+  run_make setup
+  assert_success
+  run cat "$calls"
+  assert_line --index 0 sudo
+  assert_line --index 3 --regexp '^apt-get .*install .* bats cmake$'
+}
+
+@test "as a user without sudo: a message that says what to do" {
+  user_is 1000
+  without_sudo
+  run_make setup
+  assert_failure
+  assert_output --partial "neither root nor sudo"
+  assert_output --partial "apt-get install --no-install-recommends bats cmake"
+  assert_equal "$(<"$calls")" ""
+}
+
+@test "an installation that fails stops make and says what to do" {
+  stub apt-get <<<'echo "E: no network" >&2; exit 100'
+  run_make setup
+  assert_failure
+  assert_output --partial "E: no network"
+  assert_output --partial "could not be installed; as root, run 'apt-get install"
+}
+
+@test "make alone installs nothing and points to make setup" {
+  run_make BUILD="$BATS_TEST_TMPDIR/build"
+  assert_failure
+  assert_output --partial "not installed: bats cmake; 'make setup' installs them"
+  assert_equal "$(<"$calls")" ""
+  assert_not_exist "$BATS_TEST_TMPDIR/build"
+}
