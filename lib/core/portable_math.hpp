@@ -1,0 +1,95 @@
+// Elementary functions for vector loops (core/vector_loop.hpp): no branches, no calls, and the same bits on every machine,
+// which the C library does not promise. Taylor series after argument reduction, so every coefficient explains itself.
+//
+//   log x = k log 2 + 2 artanh s,    x = 2^k m, sqrt(1/2) <= m < sqrt 2, s = (m - 1)/(m + 1)
+//   exp x = 2^k exp r,               r = x - k log 2, |r| <= log(2)/2
+//   sin, cos                         for |x| <= pi/4 alone
+//
+// Largest errors measured: 4e-16 relative (log, exp), 2e-16 absolute (sin, cos); tests/unit/random.cpp holds them to it.
+// Range: log wants positive, normal, finite numbers; exp is clamped to [exp(-708), exp(709)]. Nothing is checked.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "core/vector_loop.hpp"
+
+namespace slidezone {
+
+inline constexpr double half_pi = 0x1.921fb54442d18p0;
+inline constexpr double log_two = 0x1.62e42fefa39efp-1;
+
+/// Adding it to a double of less than 2^51 leaves the nearest integer in the lowest bits.
+inline constexpr double integer_shift = 0x1.8p52;
+
+SLIDEZONE_INLINE double portable_log(double x) {
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto k = static_cast<std::uint64_t>(static_cast<std::int64_t>(bits - std::bit_cast<std::uint64_t>(0x1.6a09e667f3bcdp-1)) >> 52);
+  const double m = std::bit_cast<double>(bits - (k << 52));
+  const double exponent = std::bit_cast<double>(k + std::bit_cast<std::uint64_t>(integer_shift)) - integer_shift;
+  const double s = (m - 1) / (m + 1);
+  const double t = s * s;
+  double series = 1. / 21;
+  series = series * t + 1. / 19;
+  series = series * t + 1. / 17;
+  series = series * t + 1. / 15;
+  series = series * t + 1. / 13;
+  series = series * t + 1. / 11;
+  series = series * t + 1. / 9;
+  series = series * t + 1. / 7;
+  series = series * t + 1. / 5;
+  series = series * t + 1. / 3;
+  return exponent * log_two + (2 * s + 2 * s * (t * series));
+}
+
+SLIDEZONE_INLINE double portable_exp(double x) {
+  constexpr double log_two_high = 0x1.62e42fefa38p-1;  // 42 bits: its product with k is exact
+  constexpr double log_two_low = 0x1.ef35793c7673p-45;
+  x = std::min(std::max(x, -708.), 709.);
+  const double shifted = x * (1 / log_two) + integer_shift;
+  const double k = shifted - integer_shift;
+  const double r = (x - k * log_two_high) - k * log_two_low;
+  double series = 1. / 6227020800;  // 1/13!
+  series = series * r + 1. / 479001600;
+  series = series * r + 1. / 39916800;
+  series = series * r + 1. / 3628800;
+  series = series * r + 1. / 362880;
+  series = series * r + 1. / 40320;
+  series = series * r + 1. / 5040;
+  series = series * r + 1. / 720;
+  series = series * r + 1. / 120;
+  series = series * r + 1. / 24;
+  series = series * r + 1. / 6;
+  series = series * r + 1. / 2;
+  series = series * r + 1;
+  series = series * r + 1;
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(series) + (std::bit_cast<std::uint64_t>(shifted) << 52));
+}
+
+SLIDEZONE_INLINE double portable_sine(double x) {
+  const double t = x * x;
+  double series = -1. / 1307674368000;  // 1/15!
+  series = series * t + 1. / 6227020800;
+  series = series * t - 1. / 39916800;
+  series = series * t + 1. / 362880;
+  series = series * t - 1. / 5040;
+  series = series * t + 1. / 120;
+  series = series * t - 1. / 6;
+  return x + x * (t * series);
+}
+
+SLIDEZONE_INLINE double portable_cosine(double x) {
+  const double t = x * x;
+  double series = 1. / 20922789888000;  // 1/16!
+  series = series * t - 1. / 87178291200;
+  series = series * t + 1. / 479001600;
+  series = series * t - 1. / 3628800;
+  series = series * t + 1. / 40320;
+  series = series * t - 1. / 720;
+  series = series * t + 1. / 24;
+  series = series * t - 1. / 2;
+  return 1 + t * series;
+}
+
+}  // namespace slidezone
