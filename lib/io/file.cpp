@@ -107,6 +107,11 @@ void replace_file(const std::string& path, std::string_view bytes) {
 
 }  // namespace
 
+void refuse_terminal(const std::string& path) {
+  if (path == "-" && ::isatty(STDOUT_FILENO))
+    throw Error(ExitCode::usage, "the result is binary and stdout is a terminal; give a file with -o or pipe it on");
+}
+
 std::string input_name(const std::string& path) { return path == "-" ? "stdin" : path; }
 
 std::string read_input(const std::string& path) {

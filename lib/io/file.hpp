@@ -16,6 +16,9 @@ std::string read_input(const std::string& path);
 /// Throws with ExitCode::cannot_create if the target cannot be created, io if writing fails.
 void write_output(const std::string& path, std::string_view bytes);
 
+/// Throws ExitCode::usage if `path` is "-" and stdout is a terminal: a binary file would garble it.
+void refuse_terminal(const std::string& path);
+
 /// How messages call the path: "stdin" for "-".
 std::string input_name(const std::string& path);
 

@@ -50,6 +50,12 @@ Handle latest_format_in_memory() {
   return access;
 }
 
+/// HDF5 refuses to open two files of one name at a time, also in memory.
+std::string next_image_name() {
+  static int count = 0;
+  return "slidezone-image-" + std::to_string(++count);
+}
+
 void silence_hdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
 /// Groups without times and with attributes stored in the order of their creation.
@@ -105,7 +111,7 @@ static Handle new_file_in_memory() {
   silence_hdf5();
   const Handle access = latest_format_in_memory();
   const Handle creation = group_properties(H5P_FILE_CREATE);
-  return Handle(must(H5Fcreate("slidezone-image", H5F_ACC_TRUNC, creation, access), "a file in memory"), H5Fclose);
+  return Handle(must(H5Fcreate(next_image_name().c_str(), H5F_ACC_TRUNC, creation, access), "a file in memory"), H5Fclose);
 }
 
 Hdf5Writer::Hdf5Writer() : state_(new State{new_file_in_memory()}) {}
@@ -207,7 +213,7 @@ static Handle open_image(std::string_view image) {
   silence_hdf5();
   const Handle access = latest_format_in_memory();
   if (H5Pset_file_image(access, const_cast<char*>(image.data()), image.size()) < 0) return Handle(-1, H5Fclose);  // HDF5 copies the bytes
-  return Handle(H5Fopen("slidezone-image", H5F_ACC_RDONLY, access), H5Fclose);
+  return Handle(H5Fopen(next_image_name().c_str(), H5F_ACC_RDONLY, access), H5Fclose);
 }
 
 Hdf5Reader::Hdf5Reader(std::string_view image, const std::string& name, std::string_view schema)

@@ -202,6 +202,13 @@ TEST(Hdf5, ReadsBackWhatWasWritten) {
 
 TEST(Hdf5, GivesEqualBytesForEqualContents) { EXPECT_EQ(sample_image(), sample_image()); }
 
+TEST(Hdf5, HoldsSeveralFilesOpenAtOnce) {
+  const Hdf5Reader first(sample_image(), "f.h5", "s 1");
+  const Hdf5Reader second(sample_image(), "f.h5", "s 1");
+  EXPECT_EQ(first.reals("g/v"), second.reals("g/v"));
+  EXPECT_EQ(sample_image(), sample_image());
+}
+
 TEST(Hdf5, NamesOtherSchemas) {
   EXPECT_EQ(message_of([] { Hdf5Reader(sample_image(), "f.h5", "s 2"); }), "f.h5: found schema 's 1', expected 's 2'");
   message_of([] { Hdf5Reader("", "f.h5", "s 1"); });
