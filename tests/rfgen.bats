@@ -1,0 +1,156 @@
+# rfgen: samples of a random field. Numbers are read from the HDF5 files by h5dump.
+load helper
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  scene=$TOP/pipelines/demo/scene.toml
+}
+
+# h5_numbers FILE DATASET [h5dump options]: the numbers, one per line.
+h5_numbers() { h5dump -A 0 -y -w 1 -m %.17g -d "$2" "${@:3}" "$1" | sed -n 's/^ *\(-\{0,1\}[0-9][-+.0-9e]*\),\{0,1\}$/\1/p'; }
+
+# sample FILE INDEX: the values of one sample.
+sample() { h5_numbers "$1" /cohesion -s "$2,0,0" -c 1,50,250; }
+
+# ---- contract ----
+
+@test "--help and --version go to stdout" {
+  run --separate-stderr rfgen --help
+  assert_success
+  assert_output --partial "Example: rfgen"
+  assert_equal "$stderr" ""
+  run --separate-stderr rfgen --version
+  assert_success
+  assert_output --regexp '^rfgen [0-9]'
+  assert_equal "$stderr" ""
+}
+
+@test "wrong command lines exit 64" {
+  run rfgen
+  assert_failure 64
+  for option in --sed=1 --count=0 --count=-1 --first=0 --first=010 --seed=nan --seed=-3; do
+    run rfgen "$scene" "$option"
+    assert_failure 64
+    assert_output --regexp '^rfgen: '
+  done
+  run rfgen "$scene" --first 4294967295 -n 2 -o fields.h5
+  assert_failure 64
+  assert_output --partial "numbered up to 4294967295"
+}
+
+@test "a missing scene exits 66" {
+  run rfgen missing.toml
+  assert_failure 66
+  assert_output --partial "rfgen: missing.toml: "
+}
+
+@test "a broken scene exits 65, names file, line and column, and leaves nothing" {
+  sed 's/^cov = .*/cov = -1/' "$scene" >broken.toml
+  run rfgen broken.toml -n 1 -o fields.h5
+  assert_failure 65
+  assert_output --regexp "^rfgen: broken.toml:$(grep -n '^cov' broken.toml | cut -d: -f1):7: 'cov' wants"
+  assert_not_exist fields.h5
+}
+
+@test "a scene without a random field exits 65" {
+  run rfgen "$TOP/pipelines/benchmark/scene.toml" -n 1 -o fields.h5
+  assert_failure 65
+  assert_output --partial "[field]"
+}
+
+@test "an output that cannot be created exits 73; a full disk 74; nothing is left" {
+  run rfgen "$scene" -n 1 -o missing/fields.h5
+  assert_failure 73
+  run rfgen "$scene" -n 1 -o /dev/full
+  assert_failure 74
+  run bash -c "rfgen '$scene' -n 1 >/dev/full"
+  assert_failure 74
+  assert_equal "$(ls)" ""
+}
+
+@test "a terminal is refused with 64" {
+  run script --quiet --return --command "rfgen '$scene' -n 1" /dev/null
+  assert_failure 64
+  assert_output --partial "stdout is a terminal"
+}
+
+@test "equal inputs give equal bytes, through a pipe or a file" {
+  rfgen "$scene" -n 2 -o a.h5
+  rfgen "$scene" -n 2 -o b.h5
+  rfgen - -n 2 <"$scene" >c.h5
+  cmp a.h5 b.h5
+  cmp a.h5 c.h5
+}
+
+@test "the file obeys its description" {
+  rfgen "$scene" -n 2 -o a.h5
+  assert_schema fields a.h5
+}
+
+# ---- samples ----
+
+@test "count and seed come from [study] unless given" {
+  rfgen "$scene" -o a.h5
+  rfgen "$scene" -n 24 --seed 1 --first 1 -o b.h5
+  cmp a.h5 b.h5
+  rfgen "$scene" -n 24 --seed 2 -o c.h5
+  run ! cmp -s a.h5 c.h5
+}
+
+@test "a sample is the same alone, among others, and at another first" {
+  rfgen "$scene" -n 5 -o many.h5
+  rfgen "$scene" --first 4 -n 1 -o one.h5
+  rfgen "$scene" --first 3 -n 3 -o some.h5
+  assert_equal "$(h5_numbers one.h5 /realization)" 4
+  assert_equal "$(h5_numbers some.h5 /realization | tr '\n' ' ')" "3 4 5 "
+  sample many.h5 3 >among
+  assert_equal "$(wc -l <among)" 12500
+  sample one.h5 0 | cmp - among
+  sample some.h5 1 | cmp - among
+  sample some.h5 2 >other
+  run ! cmp -s other among
+}
+
+@test "values have the mean, the spread and the floor of the scene" {
+  # A cell's mean over 200 samples of 25 m x 5 m at scales of 1 m: standard error 5 kPa sqrt(.0071 / 200) = 0.03 kPa.
+  sed 's/^cov = .*/cov = 0.5/' "$scene" >wide.toml
+  rfgen wide.toml -n 200 -o wide.h5
+  h5_numbers wide.h5 /cohesion | awk '
+    { sum += $1; squares += $1 * $1; floored += $1 == 4000; if (NR == 1 || $1 < least) least = $1 }
+    END { mean = sum / NR; print mean, sqrt(squares / NR - mean * mean) / mean, least, floored }' >moments
+  read -r mean cov least floored <moments
+  assert_near "$mean" 20000 240 # COV 0.5: standard error 60 Pa; four of them
+  assert_near "$cov" 0.5 0.012  # four standard errors, measured in tests/unit/field.cpp
+  assert_near "$least" 4000 0
+  assert_between "$floored" 1500 2300 # 2.5 million x 7.6e-4 = 1900
+  assert_equal "$floored" "$(h5_numbers wide.h5 /floored | awk '{ sum += $1 } END { print sum }')"
+}
+
+@test "with several soils the floor is the least of their residual strengths" {
+  cat >layers.toml <<END
+$(sed '/^\[\[soil\]\]/,/^$/d' "$scene")
+
+[[soil]]
+name = "crust"
+unit_weight = "18 kN/m^3"
+youngs_modulus = "1 MPa"
+poisson_ratio = 0.33
+cohesion = "30 kPa"
+residual_cohesion = "15 kPa"
+softening_threshold = 0.1
+softening_shape = 8
+
+[[soil]]
+name = "clay"
+top = [["0 m", "2 m"], ["30 m", "2 m"]]
+unit_weight = "20 kN/m^3"
+youngs_modulus = "1 MPa"
+poisson_ratio = 0.33
+cohesion = "20 kPa"
+residual_cohesion = "12 kPa"
+softening_threshold = 0.1
+softening_shape = 8
+END
+  rfgen layers.toml -n 1 -o fields.h5
+  assert_near "$(h5_numbers fields.h5 /cohesion | sort -g | head -n 1)" 12000 0
+}

@@ -1,0 +1,153 @@
+# rfmap: random field samples at material points. Numbers are read from the HDF5 files by h5dump.
+load helper
+
+setup_file() {
+  cd "$BATS_FILE_TMPDIR"
+  rfgen "$TOP/pipelines/demo/scene.toml" -n 2 -o fields.h5
+}
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  scene=$TOP/pipelines/demo/scene.toml
+  fields=$BATS_FILE_TMPDIR/fields.h5
+}
+
+# h5_numbers FILE DATASET [h5dump options]: the numbers, one per line.
+h5_numbers() { h5dump -A 0 -y -w 1 -m %.17g -d "$2" "${@:3}" "$1" | sed -n 's/^ *\(-\{0,1\}[0-9][-+.0-9e]*\),\{0,1\}$/\1/p'; }
+
+# ---- contract ----
+
+@test "--help and --version go to stdout" {
+  run --separate-stderr rfmap --help
+  assert_success
+  assert_output --partial "Example: rfmap"
+  assert_equal "$stderr" ""
+  run --separate-stderr rfmap --version
+  assert_success
+  assert_output --regexp '^rfmap [0-9]'
+  assert_equal "$stderr" ""
+}
+
+@test "wrong command lines exit 64" {
+  for arguments in "" "$scene" "$scene $fields --outptu x"; do
+    # shellcheck disable=SC2086
+    run rfmap $arguments
+    assert_failure 64
+    assert_output --regexp '^rfmap: '
+  done
+}
+
+@test "missing inputs exit 66" {
+  run rfmap missing.toml "$fields"
+  assert_failure 66
+  run rfmap "$scene" missing.h5
+  assert_failure 66
+  assert_output --partial "rfmap: missing.h5: "
+}
+
+@test "a broken scene or fields file exits 65, names it, and leaves nothing" {
+  sed 's/^cov = .*/cov = -1/' "$scene" >broken.toml
+  run rfmap broken.toml "$fields" -o points.h5
+  assert_failure 65
+  assert_output --regexp "^rfmap: broken.toml:[0-9]+:7: 'cov' wants"
+  head -c 50000 "$fields" >short.h5
+  : >empty.h5
+  for file in short.h5 empty.h5 "$scene"; do
+    run rfmap "$scene" "$file" -o points.h5
+    assert_failure 65
+    assert_output --partial "rfmap: $file: "
+  done
+  assert_not_exist points.h5
+}
+
+@test "a points file is no fields file" {
+  rfmap "$scene" "$fields" -o points.h5
+  run rfmap "$scene" points.h5 -o other.h5
+  assert_failure 65
+  assert_output "rfmap: points.h5: found schema 'slidezone-points 1', expected 'slidezone-fields 1'"
+}
+
+@test "fields of another mesh are refused, and both are named" {
+  sed 's/^cell = "0.1 m"/cell = "0.2 m"/' "$scene" >coarse.toml
+  run rfmap coarse.toml "$fields" -o points.h5
+  assert_failure 65
+  assert_output --partial "$fields: found a field of 250 x 50 cells of 0.1 m x 0.1 m, but coarse.toml describes one of 125 x 25 cells of 0.2 m x 0.2 m"
+  assert_not_exist points.h5
+}
+
+@test "an output that cannot be created exits 73; a full disk 74; nothing is left" {
+  run rfmap "$scene" "$fields" -o missing/points.h5
+  assert_failure 73
+  run rfmap "$scene" "$fields" -o /dev/full
+  assert_failure 74
+  run bash -c "rfmap '$scene' '$fields' >/dev/full"
+  assert_failure 74
+  assert_equal "$(ls)" ""
+}
+
+@test "a terminal is refused with 64" {
+  run script --quiet --return --command "rfmap '$scene' '$fields'" /dev/null
+  assert_failure 64
+  assert_output --partial "stdout is a terminal"
+}
+
+@test "equal inputs give equal bytes, through a pipe or a file" {
+  rfmap "$scene" "$fields" -o a.h5
+  rfmap "$scene" "$fields" -o b.h5
+  rfgen "$scene" -n 2 | rfmap "$scene" - >c.h5
+  cmp a.h5 b.h5
+  cmp a.h5 c.h5
+}
+
+@test "the file obeys its description" {
+  rfmap "$scene" "$fields" -o a.h5
+  assert_schema points a.h5
+}
+
+# ---- mapping ----
+
+@test "each point takes the value of the cell that contains it" {
+  rfmap "$scene" "$fields" -o points.h5
+  h5_numbers "$fields" /cohesion -s 1,0,0 -c 1,50,250 >field
+  paste <(h5_numbers points.h5 /x) <(h5_numbers points.h5 /y) <(h5_numbers points.h5 /cohesion -s 1,0 -c 1,2800) >points
+  run awk 'NR == FNR { field[NR - 1] = $1; next }
+    { cell = int($2 / 0.1) * 250 + int($1 / 0.1); if ($3 != field[cell]) ++wrong; ++points }
+    END { print points, wrong + 0 }' field points
+  assert_output "$(h5_numbers points.h5 /x | wc -l) 0"
+}
+
+@test "points stand at the residual strength of their own soil, and are counted" {
+  cat >layers.toml <<END
+$(sed '/^\[\[soil\]\]/,/^$/d' "$scene")
+
+[[soil]]
+name = "crust"
+unit_weight = "18 kN/m^3"
+youngs_modulus = "1 MPa"
+poisson_ratio = 0.33
+cohesion = "30 kPa"
+residual_cohesion = "18 kPa"
+softening_threshold = 0.1
+softening_shape = 8
+
+[[soil]]
+name = "clay"
+top = [["0 m", "2 m"], ["30 m", "2 m"]]
+unit_weight = "20 kN/m^3"
+youngs_modulus = "1 MPa"
+poisson_ratio = 0.33
+cohesion = "20 kPa"
+residual_cohesion = "12 kPa"
+softening_threshold = 0.1
+softening_shape = 8
+END
+  rfgen layers.toml -n 1 | rfmap layers.toml - -o points.h5
+  paste <(h5_numbers points.h5 /y) <(h5_numbers points.h5 /cohesion) |
+    awk '$1 > 2 { if ($2 < 18000) ++below; floored += $2 == 18000 }
+      $1 < 2 { if ($2 < 12000) ++below; floored += $2 == 12000 }
+      END { print below + 0, floored }' >counts
+  read -r below floored <counts
+  assert_equal "$below" 0
+  assert_between "$floored" 100 3000
+  assert_equal "$(h5_numbers points.h5 /floored)" "$floored"
+}
