@@ -7,9 +7,9 @@ A description is one of three:
 - a JSON Schema (it has "$schema"): FILE is TOML, held against it by python3-jsonschema.
 - "kind": "tsv": {"schema": "slidezone-row 1", "kind": "tsv", "meaning": ..., "columns": [COLUMN, ...]} where COLUMN is
   {"name", "type", "meaning"} and perhaps "unit", "choices" (of type choice) and "missing" (a word that stands for a number that does
-  not exist: "nan" or "unbounded"). Types: whole (>= 0), real (finite), text (not empty), choice. Columns stand in this order and
-  there are no others. Lines "# key: value" come before the header row, "# schema:" first; "provenance": "optional" in the description
-  lets a table of the user's do without. Several tables in a row are one table.
+  not exist, "nan" or "unbounded", or a list of both). Types: whole (>= 0), real (finite), text (not empty), choice. Columns stand in this
+  order and there are no others. Lines "# key: value" come before the header row, "# schema:" first; "provenance": "optional" in the
+  description lets a table of the user's do without. Several tables in a row are one table.
 - "kind": "hdf5": {"schema", "kind", "meaning", "attributes": [{"name", "type", "meaning"}], "datasets": [{"path", "type", "shape",
   "meaning"}]}. Types: real (float64), whole (int64), byte (uint8), text. A shape lists lengths and names; one name is one length
   throughout the file. An attribute belongs to the root, or to the object that its "path" names. A path may end in "<name>", which
@@ -80,7 +80,8 @@ REAL = re.compile(r"-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 
 
 def is_of_type(text, column):
-    if text == column.get("missing"):
+    missing = column.get("missing", [])
+    if text in ([missing] if isinstance(missing, str) else missing):
         return True
     if column["type"] == "whole":
         return WHOLE.fullmatch(text) is not None
