@@ -31,6 +31,8 @@ std::string format_real(double value) {
   return {buffer.data(), end};
 }
 
+std::string format_limit(double value) { return std::isinf(value) ? "unbounded" : format_real(value); }
+
 std::string format_brief(double value, int significant) {
   std::array<char, 32> buffer;
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, significant);

@@ -17,6 +17,9 @@ std::optional<std::uint64_t> parse_whole(std::string_view text);
 /// The shortest text that reads back as the same number: "0.1", "2.5e-07", "nan".
 std::string format_real(double value);
 
+/// The same, but "unbounded" for an infinite end of an interval.
+std::string format_limit(double value);
+
 /// `significant` digits at most, for messages: format_brief(9.30000001, 3) is "9.3".
 std::string format_brief(double value, int significant = 4);
 

@@ -25,13 +25,15 @@ static std::vector<std::string> fields_of(const Row& row) {
           std::to_string(row.steps),       format_real(row.energy_error), std::to_string(row.floored)};
 }
 
-std::string to_tsv(const Row& row, const Provenance& provenance) { return to_tsv(std::span(&row, 1), provenance); }
-
-std::string to_tsv(std::span<const Row> rows, const Provenance& provenance) {
+static Table table_of(std::span<const Row> rows) {
   Table table(row_columns);
   for (const Row& row : rows) table.add_row(fields_of(row));
-  return to_tsv(table, provenance);
+  return table;
 }
+
+std::string to_tsv(const Row& row, const Provenance& provenance) { return to_tsv(table_of(std::span(&row, 1)), provenance); }
+
+std::string checksum(std::span<const Row> rows) { return checksum(to_tsv(table_of(rows), Provenance{std::string(row_schema), "", {}})); }
 
 namespace {
 

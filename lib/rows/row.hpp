@@ -50,8 +50,8 @@ struct Row {
 /// One row as a whole table with its provenance.
 std::string to_tsv(const Row& row, const Provenance& provenance);
 
-/// Rows as one table, e.g. for a checksum that does not depend on how they were split into files.
-std::string to_tsv(std::span<const Row> rows, const Provenance& provenance);
+/// Checksum of the rows as one table: it does not depend on how they were split into files, nor on their provenance.
+std::string checksum(std::span<const Row> rows);
 
 /// All rows of one table or of several concatenated ones, by realization; `name` is the file's name in messages.
 std::vector<Row> parse_rows(std::string_view bytes, const std::string& name);

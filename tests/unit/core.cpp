@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ TEST(ParseWhole, RefusesWhatCli11WouldMisread) {
 TEST(FormatReal, ReadsBackExactly) {
   for (const double value : {0.1, 1.0 / 3, 1e300, 5e-324, -2.5e-7}) EXPECT_EQ(parse_real(format_real(value)), value);
   EXPECT_EQ(format_real(0.1), "0.1");
+  EXPECT_EQ(format_limit(0.1), "0.1");
+  EXPECT_EQ(format_limit(std::numeric_limits<double>::infinity()), "unbounded");
   EXPECT_EQ(format_brief(9.30000001, 3), "9.3");
 }
 

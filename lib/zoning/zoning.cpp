@@ -1,0 +1,72 @@
+#include "zoning/zoning.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace slidezone {
+
+const std::string& class_of(const Classes& classes, double probability) {
+  static const std::string unknown = "unknown";
+  assert(classes.names.size() == classes.thresholds.size() + 1);
+  if (std::isnan(probability)) return unknown;
+  std::size_t index = 0;
+  while (index < classes.thresholds.size() && !(probability > classes.thresholds[index])) ++index;
+  return classes.names[index];
+}
+
+std::vector<Boundary> boundaries(const Sample& sample, const Classes& classes) {
+  std::vector<Boundary> result;
+  for (std::size_t i = 0; i < classes.thresholds.size(); ++i) {
+    const double p = classes.thresholds[i];
+    result.push_back({classes.names[i], p, quantile_estimate(sample, 1 - p)});
+  }
+  return result;
+}
+
+static double fitted_exceedance(const std::optional<Fit>& fit, double failure, double distance) {
+  return fit ? failure * tail(*fit, distance) : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<CurvePoint> exceedance_curve(const Sample& sample, std::span<const double> of_slides, double failure,
+                                         std::span<const double> distances) {
+  const std::optional<Fit> normal = fit_of(Family::normal, of_slides);
+  const std::optional<Fit> lognormal = fit_of(Family::lognormal, of_slides);
+  std::vector<CurvePoint> curve;
+  for (const double distance : distances) {
+    curve.push_back({distance, exceedance_estimate(sample, distance), fitted_exceedance(normal, failure, distance),
+                     fitted_exceedance(lognormal, failure, distance)});
+  }
+  return curve;
+}
+
+namespace {
+
+/// units * scale, or units / scale.
+struct Step {
+  double units = 1;
+  double scale = 1;  // a power of ten >= 1
+  bool is_divisor = false;
+};
+
+}  // namespace
+
+/// The largest of 1, 2, 5 times a power of ten that is at most `limit`.
+static Step step_below(double limit) {
+  const double exponent = std::floor(std::log10(limit));
+  const double mantissa = limit / std::pow(10, exponent);
+  return {mantissa >= 5 ? 5.0 : mantissa >= 2 ? 2.0 : 1.0, std::pow(10, std::abs(exponent)), exponent < 0};
+}
+
+std::vector<double> curve_distances(double farthest) {
+  const double end = 1.25 * (farthest > 0 ? farthest : 1.0);
+  const Step step = step_below(end / 200);
+  std::vector<double> distances;
+  for (double i = 0; distances.empty() || distances.back() < end; ++i)
+    distances.push_back(step.is_divisor ? i * step.units / step.scale : i * step.units * step.scale);  // 3 / 10 is 0.3, 3 * 0.1 is not
+  return distances;
+}
+
+}  // namespace slidezone

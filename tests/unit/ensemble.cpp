@@ -1,0 +1,54 @@
+#include "ensemble/ensemble.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+#include "core/error.hpp"
+
+namespace slidezone {
+namespace {
+
+Row row(std::uint64_t realization, Status status, double influence, double runout) {
+  Row made;
+  made.realization = realization;
+  made.status = status;
+  made.influence = influence;
+  made.runout = runout;
+  return made;
+}
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+const std::vector<Row> one_of_each = {row(0, Status::slid, 9, 18), row(1, Status::slid, 10, 20), row(2, Status::stable, 0, 0.1),
+                                      row(3, Status::left_domain, 12, 30), row(4, Status::diverged, nan, nan)};
+
+TEST(Ensemble, KeepsEveryRandomRunAndTheDeterministicOneApart) {
+  const Ensemble ensemble = ensemble_of(one_of_each);
+  ASSERT_EQ(ensemble.runout.sample.size(), 4u);
+  EXPECT_EQ(ensemble.runout.sample[1].value, 0.1);
+  EXPECT_EQ(ensemble.runout.sample[1].knowledge, Knowledge::exact);
+  EXPECT_EQ(ensemble.runout.sample[2].knowledge, Knowledge::at_least);
+  EXPECT_EQ(ensemble.runout.sample[3].knowledge, Knowledge::unknown);
+  EXPECT_EQ(ensemble.influence.of_slides, std::vector<double>{10});
+  EXPECT_EQ(ensemble.influence.deterministic, 9);
+  EXPECT_EQ(count_of(one_of_each, Status::slid), 1u);
+}
+
+TEST(Ensemble, CountsFailuresAmongTheRunsThatTell) {
+  const Estimate failure = failure_probability(ensemble_of(one_of_each));
+  EXPECT_DOUBLE_EQ(failure.value, 2.0 / 3);
+  EXPECT_DOUBLE_EQ(failure.interval.low, clopper_pearson(2, 4).low);
+  EXPECT_DOUBLE_EQ(failure.interval.high, clopper_pearson(3, 4).high);
+}
+
+TEST(Ensemble, CautionsOnlyWhereThereIsDoubt) {
+  EXPECT_EQ(cautions(one_of_each).size(), 2u);
+  EXPECT_TRUE(cautions(std::vector<Row>{row(0, Status::diverged, 0, 0), row(1, Status::stable, 0, 0)}).empty());
+}
+
+TEST(Ensemble, WantsARandomRun) { EXPECT_THROW(ensemble_of(std::span(one_of_each).first(1)), Error); }
+
+}  // namespace
+}  // namespace slidezone

@@ -1,0 +1,81 @@
+#include "zoning/zoning.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace slidezone {
+namespace {
+
+/// 1, 2, ... count.
+Sample ladder(std::size_t count) {
+  Sample sample;
+  for (std::size_t i = 1; i <= count; ++i) sample.push_back({static_cast<double>(i), Knowledge::exact});
+  return sample;
+}
+
+TEST(Classes, EndAtTheirThresholdInclusive) {
+  const Classes classes;
+  EXPECT_EQ(class_of(classes, 1), "very_high");
+  EXPECT_EQ(class_of(classes, 0.5), "high");
+  EXPECT_EQ(class_of(classes, 0.100001), "high");
+  EXPECT_EQ(class_of(classes, 0.1), "medium");
+  EXPECT_EQ(class_of(classes, 0.01), "low");
+  EXPECT_EQ(class_of(classes, 0.001), "very_low");
+  EXPECT_EQ(class_of(classes, 0), "very_low");
+  EXPECT_EQ(class_of(classes, std::numeric_limits<double>::quiet_NaN()), "unknown");
+}
+
+TEST(Boundaries, CarryOrderStatisticIntervals) {
+  const std::vector<Boundary> found = boundaries(ladder(1000), Classes{});
+  ASSERT_EQ(found.size(), 4u);
+  EXPECT_EQ(found[0].name, "very_high");
+  EXPECT_EQ(found[0].distance.value, 500.5);
+  EXPECT_EQ(found[0].distance.interval.low, 469);  // PHYSICS.md's ranks for 1000 runs
+  EXPECT_EQ(found[0].distance.interval.high, 532);
+  EXPECT_EQ(found[3].name, "low");
+  EXPECT_EQ(found[3].distance.interval.low, 997);
+  EXPECT_TRUE(std::isinf(found[3].distance.interval.high));
+}
+
+TEST(Boundaries, AgreeWithTheCurve) {
+  const Sample sample = ladder(1000);
+  for (const Boundary& boundary : boundaries(sample, Classes{}))
+    EXPECT_DOUBLE_EQ(exceedance_estimate(sample, boundary.distance.value).value, boundary.probability);
+}
+
+TEST(Curve, FallsFromOneAndStandsBesideItsFits) {
+  std::vector<double> slides;
+  for (int i = 1; i <= 100; ++i) slides.push_back(i);
+  const std::vector<double> distances = {0, 50.5, 100};
+  const std::vector<CurvePoint> curve = exceedance_curve(ladder(100), slides, 0.8, distances);
+  EXPECT_EQ(curve[0].exceedance.value, 1);
+  EXPECT_EQ(curve[1].exceedance.value, 0.5);
+  EXPECT_EQ(curve[2].exceedance.value, 0);
+  EXPECT_NEAR(curve[1].normal, 0.8 * 0.5, 1e-15);  // at the mean of the slides
+  EXPECT_EQ(curve[0].lognormal, 0.8);
+}
+
+TEST(Curve, HasNoFitOfEqualValues) {
+  const std::vector<double> slides(5, 0.0);
+  const std::vector<CurvePoint> curve = exceedance_curve(ladder(5), slides, 1, std::vector<double>{1});
+  EXPECT_TRUE(std::isnan(curve[0].normal));
+  EXPECT_TRUE(std::isnan(curve[0].lognormal));
+}
+
+TEST(CurveDistances, AreRoundAndCoverTheData) {
+  for (const double farthest : {1e-3, 0.7, 1.0, 9.32, 27.0, 1600.0}) {
+    const std::vector<double> distances = curve_distances(farthest);
+    EXPECT_EQ(distances.front(), 0);
+    EXPECT_GE(distances.back(), 1.25 * farthest);
+    EXPECT_GE(distances.size(), 201u) << farthest;
+    EXPECT_LE(distances.size(), 502u) << farthest;
+  }
+  EXPECT_EQ(curve_distances(27)[3], 0.3);
+  EXPECT_EQ(curve_distances(0).back(), 1.25);  // nothing moved: one metre to look at
+}
+
+}  // namespace
+}  // namespace slidezone
