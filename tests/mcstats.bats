@@ -1,0 +1,174 @@
+# mcstats: contract, bad rows, then statistics against closed forms and reference numbers.
+load helper
+load rows
+
+setup() { cd "$BATS_TEST_TMPDIR"; }
+
+# value QUANTITY STATISTIC [COLUMN] <STATISTICS: a field of the line, column 3 (value) by default.
+value() { awk -F '\t' -v q="$1" -v s="$2" -v c="${3:-3}" '$1 == q && $2 == s { print $c }'; }
+
+# refuses LINE...: mcstats finds fault with a table of these rows and names the place.
+refuses() {
+  { row_header; printf '%s\n' "$@"; } >wrong.tsv
+  run --separate-stderr mcstats wrong.tsv
+  assert_failure 65
+  assert_equal "$output" ""
+  assert_regex "$stderr" '^mcstats: wrong.tsv:[0-9]+: '
+}
+
+# ---- contract ----
+
+@test "help, version, unknown option, missing input" { check_contract mcstats; }
+
+@test "the help explains every column and rule" {
+  run mcstats --help
+  for word in quantity statistic value ci_low ci_high unbounded probability_of_failure quantile_P exceeds_deterministic paper mean=W; do
+    assert_output --partial "$word"
+  done
+}
+
+@test "a wrong stopping rule is a wrong command line" {
+  ladder 3 >rows.tsv
+  for rule in mean=0 mean=nan mean sd=1x ''; do
+    run --separate-stderr mcstats rows.tsv --stop "$rule"
+    assert_failure 64
+  done
+}
+
+@test "broken rows are named by file and line" {
+  refuses "$(row 1 slid nan 2)"
+  assert_equal "$stderr" "mcstats: wrong.tsv:4: column 'influence_m': found 'nan', expected a finite number"
+  refuses "$(row 1 slid inf 2)"
+  refuses "$(row 1 slid 1 2m)"
+  refuses "$(row 1 slipped 1 2)"
+  refuses "$(row -1 slid 1 2)"
+  refuses "$(row 1 slid 1 2)" "$(row 1 slid 1 3)"
+  refuses "$(row 1 slid 1 2)" "$(row 1 slid 1 2)"
+  refuses "1 slid 1 2"
+}
+
+@test "empty tables, other schemas and unknown columns are refused" {
+  : >empty.tsv
+  run -65 mcstats empty.tsv
+  row_header >header.tsv
+  run -65 mcstats header.tsv
+  assert_output --partial "without rows"
+  { row_header; row 0 slid 1 2; } >deterministic.tsv
+  run -65 mcstats deterministic.tsv
+  assert_output --partial "only realization 0"
+  ladder 3 | sed 's/row 1/curve 1/' >other.tsv
+  run -65 mcstats other.tsv
+  assert_output --partial "other.tsv:1: found schema 'slidezone-curve 1', expected 'slidezone-row 1'"
+  ladder 3 | sed 's/runout_m\t/runuot_m\t/' >column.tsv
+  run -65 mcstats column.tsv
+  assert_output --partial "column.tsv:3: no column 'runout_m'"
+}
+
+@test "an output that cannot be written leaves nothing" {
+  ladder 3 >rows.tsv
+  run -73 mcstats rows.tsv -o no/such/folder
+  run -74 bash -c 'mcstats rows.tsv >/dev/full'
+  run -74 mcstats rows.tsv -o /dev/full
+  assert_equal "$(ls)" rows.tsv
+}
+
+@test "the same rows give the same bytes: file, pipe, parts in any order" {
+  ladder 30 >rows.tsv
+  mcstats rows.tsv >whole
+  mcstats <rows.tsv | cmp - whole
+  mcstats rows.tsv -o output
+  cmp output whole
+  head -13 rows.tsv >a.tsv
+  { row_header; tail -n +14 rows.tsv; } >b.tsv
+  mcstats b.tsv a.tsv | cmp - whole
+  cat b.tsv a.tsv | mcstats | cmp - whole
+}
+
+@test "the table obeys its schema, also of one row and of runs that say nothing" {
+  ladder 30 | mcstats >many
+  assert_schema statistics many
+  ladder 1 | mcstats >one
+  assert_schema statistics one
+  assert_equal "$(value influence_m mean <one)" 0.01
+  assert_equal "$(value influence_m sd <one)" nan
+  assert_equal "$(value influence_m mean 5 <one)" unbounded
+  { row_header; row 1 diverged nan nan; } | mcstats >none
+  assert_schema statistics none
+  assert_equal "$(value influence_m mean <none)" nan
+}
+
+# ---- statistics ----
+
+@test "moments, quantiles and their intervals of 1 ... 1000" {
+  ladder 1000 | mcstats >statistics
+  assert_near "$(value influence_m mean <statistics)" 5.005 1e-12
+  assert_near "$(value influence_m variance <statistics)" 8.3416666666666667 1e-11  # (n^2 - 1) / 12 * n / (n - 1) / 100^2
+  assert_near "$(value runout_m mean <statistics)" 15.005 1e-12
+  assert_equal "$(value influence_m min <statistics)" 0.01
+  assert_equal "$(value influence_m max <statistics)" 10
+  assert_near "$(value influence_m quantile_0.5 <statistics)" 5.005 1e-12
+  # The reference ranks [469, 532] and [983, 997] of 1000.
+  assert_equal "$(value influence_m quantile_0.5 4 <statistics)" 4.69
+  assert_equal "$(value influence_m quantile_0.5 5 <statistics)" 5.32
+  assert_equal "$(value influence_m quantile_0.99 4 <statistics)" 9.83
+  assert_equal "$(value influence_m quantile_0.99 5 <statistics)" 9.97
+  assert_equal "$(value influence_m quantile_0.99 6 <statistics)" 1000
+}
+
+@test "quantiles that few runs cannot bound are unbounded" {
+  ladder 24 | mcstats >statistics
+  assert_equal "$(value runout_m quantile_0.99 5 <statistics)" unbounded
+  assert_equal "$(value runout_m quantile_0.01 4 <statistics)" unbounded
+}
+
+@test "every status is counted and none is dropped without a word" {
+  { row_header; row 1 slid 10 20; row 2 slid 11 21; row 3 stable 0 0.1; row 4 left_domain 12 30; row 5 diverged nan nan; } >rows.tsv
+  run --separate-stderr mcstats rows.tsv
+  assert_success
+  assert_regex "$stderr" 'mcstats: warning: 1 of the runs left the grid'
+  assert_regex "$stderr" 'mcstats: warning: 1 of the runs diverged'
+  printf '%s\n' "$output" >statistics
+  for status in slid:2 stable:1 left_domain:1 diverged:1 total:5; do
+    assert_equal "$(value runs "${status%:*}" <statistics)" "${status#*:}"
+  done
+  assert_equal "$(value runs probability_of_failure <statistics)" 0.75
+  assert_near "$(value runout_m mean <statistics)" 17.775 1e-12  # with the stable run, and the censored one at its lower bound
+  assert_equal "$(value runout_m mean 5 <statistics)" unbounded
+  assert_equal "$(value runout_m mean 6 <statistics)" 4
+  assert_equal "$(value runout_m mean_of_slides <statistics)" 20.5
+}
+
+@test "no warning where every run is complete" {
+  ladder 5 >rows.tsv
+  run --separate-stderr mcstats rows.tsv
+  assert_equal "$stderr" ""
+}
+
+@test "realization 0 is compared with, not mixed in" {
+  ladder 100 >random.tsv
+  { row_header; row 0 slid 0.3 10.9; } >deterministic.tsv
+  mcstats random.tsv deterministic.tsv >statistics
+  assert_equal "$(value runs total <statistics)" 100
+  assert_equal "$(value influence_m exceeds_deterministic <statistics)" 0.7
+  assert_equal "$(value runout_m exceeds_deterministic <statistics)" 0.1
+}
+
+@test "fits and their test: a lognormal of zeros has none" {
+  { row_header; row 1 slid 0 1; row 2 slid 0 2; row 3 slid 1 3; } | mcstats >statistics
+  assert_equal "$(value influence_m lognormal_zeta <statistics)" nan
+  assert_near "$(value runout_m normal_sd <statistics)" 1 1e-15
+  assert_near "$(value runout_m lognormal_lambda <statistics)" 0.59725315640935 1e-12  # ln 6 / 3
+  assert_equal "$(value runout_m normal_chi_square_p <statistics)" nan
+}
+
+@test "verdicts of the stopping rules" {
+  ladder 1000 >rows.tsv
+  mcstats rows.tsv --stop mean=0.17 --stop mean=0.18 --stop paper >statistics
+  # Half-width t(0.975, 999) sd / sqrt(1000) = 1.96234 * 2.88820 / 31.6228 = 0.17923.
+  assert_near "$(value runout_m half_width_of_mean <statistics | head -1)" 0.17923 1e-5
+  assert_equal "$(value runout_m stop:mean=0.17 <statistics)" 0
+  assert_equal "$(value runout_m stop:mean=0.18 <statistics)" 1
+  assert_equal "$(value runout_m runs_needed:mean=0.17 <statistics)" 1112
+  assert_equal "$(value runout_m stop:paper <statistics)" 0
+  assert_equal "$(value runout_m paper_first_met <statistics)" nan
+}
