@@ -1,0 +1,183 @@
+# zoning: contract, bad rows and structures, then bands and boundaries against closed forms and reference numbers.
+load helper
+load rows
+
+setup() { cd "$BATS_TEST_TMPDIR"; }
+
+structures() { printf '%s\n' 'name side distance_m' "$@" | tr ' ' '\t'; }
+
+# field WORD COLUMN <TABLE: the column's field of the first line that holds the word as a field.
+field() { awk -F '\t' -v w="$1" -v c="$2" '!/^#/ { for (i = 1; i <= NF; ++i) if ($i == w) { print $c; exit } }'; }
+
+# ---- contract ----
+
+@test "help, version, unknown option, missing input" { check_contract zoning; }
+
+@test "the help explains every column and class" {
+  run zoning --help
+  for word in quantity distance_m probability ci_low ci_high normal lognormal class_low class_high very_high very_low unbounded; do
+    assert_output --partial "$word"
+  done
+}
+
+@test "one kind of result at a time" {
+  ladder 3 >rows.tsv
+  structures 'A toe 1' >s.tsv
+  run -64 zoning rows.tsv --curve --classes
+  run -64 zoning rows.tsv --curve --structures s.tsv
+  run -64 zoning rows.tsv --classes --structures s.tsv
+  run -64 zoning --structures - <rows.tsv
+  assert_output --partial "cannot both come from stdin"
+}
+
+@test "broken rows are named by file and line" {
+  { row_header; row 1 slid 1 2; row 2 slid nan 2; } >wrong.tsv
+  for kind in --classes --curve; do
+    run --separate-stderr zoning wrong.tsv "$kind"
+    assert_failure 65
+    assert_equal "$output" ""
+    assert_equal "$stderr" "zoning: wrong.tsv:5: column 'influence_m': found 'nan', expected a finite number"
+  done
+}
+
+@test "broken structures are named by file and line" {
+  ladder 3 >rows.tsv
+  for wrong in 'A left 1' 'A toe -1' 'A toe nan' 'A toe 1m' ' toe 1' 'A toe'; do
+    structures 'House crest 3' "$wrong" >wrong.tsv
+    run --separate-stderr zoning rows.tsv --structures wrong.tsv
+    assert_failure 65
+    assert_equal "$output" ""
+    assert_regex "$stderr" '^zoning: wrong.tsv:3: '
+  done
+  structures 'A toe 1' 'A toe 2' >wrong.tsv
+  run -65 zoning rows.tsv --structures wrong.tsv
+  assert_output --partial "wrong.tsv:3: structure 'A' stands twice"
+  structures >wrong.tsv
+  run -65 zoning rows.tsv --structures wrong.tsv
+  structures 'A toe 1' | sed 's/distance_m/distance/' >wrong.tsv
+  run -65 zoning rows.tsv --structures wrong.tsv
+  assert_output --partial "no column 'distance_m'"
+  run -66 zoning rows.tsv --structures absent.tsv
+}
+
+@test "an output that cannot be written leaves nothing" {
+  ladder 3 >rows.tsv
+  run -73 zoning -q rows.tsv -o no/such/folder
+  run -74 bash -c 'zoning -q rows.tsv >/dev/full'
+  assert_equal "$(ls)" rows.tsv
+}
+
+@test "the same rows give the same bytes: file, pipe, parts in any order" {
+  ladder 30 >rows.tsv
+  head -13 rows.tsv >a.tsv
+  { row_header; tail -n +14 rows.tsv; } >b.tsv
+  structures 'A toe 10.2' >s.tsv
+  for kind in --classes --curve '--structures s.tsv'; do
+    zoning -q rows.tsv $kind >whole
+    zoning -q $kind <rows.tsv | cmp - whole
+    cat b.tsv a.tsv | zoning -q $kind | cmp - whole
+    zoning -q b.tsv a.tsv $kind -o output
+    cmp output whole
+  done
+}
+
+@test "classes are the default" {
+  ladder 30 >rows.tsv
+  cmp <(zoning -q rows.tsv) <(zoning -q rows.tsv --classes)
+}
+
+@test "every table obeys its schema" {
+  structures 'A toe 10.2' 'B crest 0' >s.tsv
+  assert_schema structures-input s.tsv
+  { row_header; row 1 slid 10 20; row 2 stable 0 0.1; row 3 left_domain 12 30; row 4 diverged nan nan; } >few.tsv
+  ladder 1000 >many.tsv
+  { row_header; row 1 diverged nan nan; } >none.tsv
+  for rows in few many none; do
+    zoning -q $rows.tsv >classes 2>/dev/null
+    assert_schema classes classes
+    zoning -q $rows.tsv --curve >curve 2>/dev/null
+    assert_schema curve curve
+    zoning -q $rows.tsv --structures s.tsv >structures 2>/dev/null
+    assert_schema structures structures
+  done
+}
+
+# ---- bands and boundaries ----
+
+@test "boundaries of 1 ... 1000 carry the reference ranks, and no upper end at 0.1 %" {
+  ladder 1000 | zoning >classes
+  for line in very_high:0.5:5.005:4.69:5.32 high:0.1:9.005:8.81:9.19 medium:0.01:9.905:9.83:9.97; do
+    IFS=: read -r class probability distance low high <<<"$line"
+    assert_equal "$(field $class 3 <classes)" $probability
+    assert_near "$(field $class 4 <classes)" $distance 1e-12
+    assert_equal "$(field $class 5 <classes)" $low
+    assert_equal "$(field $class 6 <classes)" $high
+  done
+  assert_near "$(field low 4 <classes)" 9.995 1e-12
+  assert_equal "$(field low 5 <classes)" 9.97
+  assert_equal "$(field low 6 <classes)" unbounded
+}
+
+@test "few runs say which boundaries they cannot tell" {
+  ladder 24 >rows.tsv
+  run --separate-stderr zoning rows.tsv
+  assert_success
+  assert_regex "$stderr" 'note: 24 runs cannot tell where the probability falls to 1 %'
+  assert_regex "$stderr" 'falls to 0.1 %'
+}
+
+@test "the curve carries the exact binomial band" {
+  ladder 1000 | zoning --curve >curve
+  line=$(awk -F '\t' '$1 == "influence_m" && $2 == "9.9"' curve)
+  assert_equal "$(cut -f 3 <<<"$line")" 0.01
+  assert_near "$(cut -f 4 <<<"$line")" 0.0048055107 1e-10
+  assert_near "$(cut -f 5 <<<"$line")" 0.0183132431 1e-10
+  line=$(awk -F '\t' '$1 == "runout_m"' curve | tail -1)
+  assert_equal "$(cut -f 3 <<<"$line")" 0
+  assert_near "$(cut -f 5 <<<"$line")" 0.0036820839 1e-10
+}
+
+@test "the curve falls, over distances that rise, with the fits beside it" {
+  ladder 200 | zoning --curve >curve
+  awk -F '\t' '/^#|^quantity/ { next } $1 == q && ($2 <= d || $3 > p || $6 > f) { exit 1 } { q = $1; d = $2; p = $3; f = $6 }' curve
+  run awk -F '\t' '$1 == "influence_m" && $2 == 1 { print $6 }' curve
+  assert_near "$output" 0.5035 0.01  # the Normal fit near its mean of 1.005, sd 0.579
+}
+
+@test "structures get the class of their distance and the classes of its band" {
+  ladder 1000 >rows.tsv
+  structures 'school toe 19.9' 'road toe 12' 'mast crest 9.8' 'far crest 99' >s.tsv
+  zoning rows.tsv --structures s.tsv >classed
+  assert_equal "$(field school 4 <classed)" 0.01
+  assert_equal "$(field school 7 <classed)" low
+  assert_equal "$(field school 8 <classed)" low
+  assert_equal "$(field school 9 <classed)" medium
+  assert_equal "$(field road 4 <classed)" 0.8
+  assert_equal "$(field road 7 <classed)" very_high
+  assert_equal "$(field mast 7 <classed)" medium
+  assert_equal "$(field far 7 <classed)" very_low
+  assert_equal "$(field far 9 <classed)" low  # 0 of 1000 still allows 0.37 %
+}
+
+@test "runs that left the grid or diverged widen the band, with a warning" {
+  { ladder 8; row 9 left_domain 0.5 10.5; row 10 diverged nan nan; } >rows.tsv
+  structures 'near crest 0.3' 'far crest 1' >s.tsv
+  run --separate-stderr zoning rows.tsv --structures s.tsv
+  assert_success
+  assert_regex "$stderr" 'warning: 1 of the runs left the grid'
+  assert_regex "$stderr" 'warning: 1 of the runs diverged'
+  printf '%s\n' "$output" >classed
+  assert_near "$(field near 4 <classed)" 0.1111111111111111 1e-15  # 1 of the 9 that tell
+  assert_near "$(field near 5 <classed)" 0.0025285785 1e-10        # 1 of 10: 1 - 0.975^(1/10)
+  assert_equal "$(field far 4 <classed)" 0
+  assert_near "$(field far 6 <classed)" 0.55609546 1e-8            # 2 of 10, as binom.test of R prints it
+}
+
+@test "stable runs count: probabilities are of all runs, failed or not" {
+  { row_header; row 1 slid 5 10; row 2 slid 6 12; row 3 stable 0 0; row 4 stable 0 0; } >rows.tsv
+  structures 'A toe 11' >s.tsv
+  zoning rows.tsv --structures s.tsv >classed
+  assert_equal "$(field A 4 <classed)" 0.25
+  zoning rows.tsv --curve >curve
+  assert_equal "$(awk -F '\t' '$1 == "runout_m" && $2 == 11 { print $6 }' curve)" 0.25  # P(failure) times the Normal tail at its mean
+}
