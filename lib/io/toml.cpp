@@ -108,8 +108,8 @@ static const toml::node& required(const toml::table& table, const TomlTable& vie
 
 TomlTable TomlTable::table(const std::string& key) const {
   const toml::node& node = required(*node_->table, *this, node_->table_name, key);
-  if (!node.is_table()) fail(key, "wants a table, found " + description(node) + "; write [" + key + "]");
   const std::string name = node_->table_name.empty() ? key : node_->table_name + "." + key;
+  if (!node.is_table()) fail(key, "wants a table, found " + description(node) + "; write [" + name + "]");
   return TomlTable(std::make_shared<const Node>(Node{node_->file, node.as_table(), node_->file_name, name}));
 }
 
@@ -154,7 +154,7 @@ static const toml::array& pair_of(const toml::node& node, const Location& where,
 
 Vec2 TomlTable::quantity_pair(const std::string& key, const std::string& unit, Range range) const {
   const toml::node& node = required(*node_->table, *this, node_->table_name, key);
-  if (!node.is_array()) {
+  if (!is_list(key)) {
     const double both = quantity(key, unit, range);
     return {both, both};
   }
@@ -237,9 +237,9 @@ std::string TomlTable::choice_or(const std::string& key, const std::vector<std::
   return has(key) ? choice(key, names) : absent;
 }
 
-bool TomlTable::is_text(const std::string& key) const {
+bool TomlTable::is_list(const std::string& key) const {
   const toml::node* node = node_->table->get(key);
-  return node != nullptr && node->is_string();
+  return node != nullptr && node->is_array();
 }
 
 }  // namespace slidezone

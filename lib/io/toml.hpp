@@ -65,8 +65,8 @@ class TomlTable {
   bool truth_or(const std::string& key, bool absent) const;
   std::string choice_or(const std::string& key, const std::vector<std::string>& names, const std::string& absent) const;
 
-  /// Whether the key's value is a string (a quantity) rather than a number or a list.
-  bool is_text(const std::string& key) const;
+  /// Whether the key is there and its value a list.
+  bool is_list(const std::string& key) const;
 
   /// Place of the key's value, or of the table where the key is absent.
   Location where(const std::string& key) const;

@@ -104,6 +104,18 @@ TEST(Toml, GivesRangesOfAnglesInDegrees) {
   EXPECT_EQ(message_of([&] { file.quantity("a", "rad", acute); }), "s.toml:1:5: 'a' wants at least 0 and below 90 deg, found \"90 deg\"");
 }
 
+TEST(Toml, TellsListsFromOtherValues) {
+  const TomlTable file = TomlTable::parse("a = [1]\nb = \"1 m\"\n", "s.toml");
+  EXPECT_TRUE(file.is_list("a"));
+  EXPECT_FALSE(file.is_list("b"));
+  EXPECT_FALSE(file.is_list("c"));
+}
+
+TEST(Toml, NamesNestedTablesInFull) {
+  const TomlTable file = TomlTable::parse("[time]\nrest = 1\n", "s.toml");
+  EXPECT_EQ(message_of([&] { file.table("time").table("rest"); }), "s.toml:2:8: 'rest' wants a table, found 1; write [time.rest]");
+}
+
 TEST(Toml, NamesThePlaceOfAnItem) {
   const TomlTable file = TomlTable::parse("a = [1,\n  2]\n", "s.toml");
   EXPECT_EQ(message_of([&] { file.fail("a", 1, "is wrong"); }), "s.toml:2:3: 'a' is wrong");
