@@ -1,4 +1,6 @@
-#include <map>
+#include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "core/text.hpp"
 #include "scene/read_tables.hpp"
@@ -8,19 +10,28 @@ namespace slidezone {
 static const Range fraction{0, 1, true};
 static const Range proper_fraction{0, 1, true, true};
 
-/// The value that a word stands for; an absent key leaves `absent`.
+/// What words of the file stand for, in the order in which messages list them.
 template <class Value>
-static Value choice_or(const TomlTable& table, const std::string& key, const std::map<std::string, Value>& values, Value absent) {
+using Words = std::vector<std::pair<std::string, Value>>;
+
+static const Words<BaseContact> contacts = {
+    {"bilateral", BaseContact::bilateral}, {"unilateral", BaseContact::unilateral}, {"stick", BaseContact::stick}};
+static const Words<Wall> walls = {{"roller", Wall::roller}, {"stick", Wall::stick}, {"open", Wall::open}};
+static const Words<GravityProtocol> protocols = {
+    {"sudden", GravityProtocol::sudden}, {"ramp", GravityProtocol::ramp}, {"k0", GravityProtocol::k0}};
+
+/// The value that the key's word stands for; an absent key leaves `absent`.
+template <class Value>
+static Value choice_or(const TomlTable& table, const std::string& key, const Words<Value>& words, Value absent) {
   if (!table.has(key)) return absent;
   std::vector<std::string> names;
-  for (const auto& [name, value] : values) names.push_back(name);
-  return values.at(table.choice(key, names));
+  for (const auto& [name, value] : words) names.push_back(name);
+  const std::string chosen = table.choice(key, names);
+  return std::find_if(words.begin(), words.end(), [&](const auto& word) { return word.first == chosen; })->second;
 }
 
 void read_base(const TomlTable& table, Boundaries& boundaries) {
   table.check_keys({"contact", "friction"});
-  const std::map<std::string, BaseContact> contacts = {
-      {"bilateral", BaseContact::bilateral}, {"unilateral", BaseContact::unilateral}, {"stick", BaseContact::stick}};
   boundaries.base = choice_or(table, "contact", contacts, boundaries.base);
   if (boundaries.base != BaseContact::stick)
     boundaries.base_friction = table.number("friction", not_negative);
@@ -30,15 +41,12 @@ void read_base(const TomlTable& table, Boundaries& boundaries) {
 
 void read_walls(const TomlTable& table, Boundaries& boundaries) {
   table.check_keys({"left", "right"});
-  const std::map<std::string, Wall> walls = {{"roller", Wall::roller}, {"stick", Wall::stick}, {"open", Wall::open}};
   boundaries.left = choice_or(table, "left", walls, boundaries.left);
   boundaries.right = choice_or(table, "right", walls, boundaries.right);
 }
 
 Gravity read_gravity(const TomlTable& table) {
   table.check_keys({"acceleration", "protocol", "ramp_time", "k0"});
-  const std::map<std::string, GravityProtocol> protocols = {
-      {"sudden", GravityProtocol::sudden}, {"ramp", GravityProtocol::ramp}, {"k0", GravityProtocol::k0}};
   Gravity gravity;
   gravity.acceleration.y = -table.quantity_or("acceleration", "m s-2", positive, -gravity.acceleration.y);
   gravity.protocol = choice_or(table, "protocol", protocols, gravity.protocol);

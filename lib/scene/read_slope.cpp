@@ -15,7 +15,6 @@ static std::string metres(double length) { return format_brief(length, 9) + " m"
 // ---- [slope] ----
 
 static Slope read_straight_slope(const TomlTable& table) {
-  table.check_keys({"height", "length", "angle"});
   const double height = table.quantity("height", "m", positive);
   const double length = table.quantity("length", "m", positive);
   const double angle = table.quantity("angle", "rad", up_to_vertical);
@@ -27,13 +26,10 @@ static Slope read_straight_slope(const TomlTable& table) {
 }
 
 Slope read_slope(const TomlTable& table) {
-  if (!table.has("surface")) {
-    table.check_keys({"surface", "height", "length", "angle"});
-    return read_straight_slope(table);
-  }
+  table.check_keys({"surface", "height", "length", "angle"});
+  if (!table.has("surface")) return read_straight_slope(table);
   for (const std::string key : {"height", "length", "angle"})
     if (table.has(key)) table.fail(key, "cannot stand beside 'surface'; give either");
-  table.check_keys({"surface"});
   const std::vector<Vec2> surface = table.polyline("surface", 2);
   if (const auto flaw = surface_flaw(surface)) table.fail("surface", flaw->vertex, flaw->message);
   return slope_of(surface);

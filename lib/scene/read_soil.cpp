@@ -59,7 +59,7 @@ static Material read_material(const TomlTable& table) {
 
 /// One level, "3 m", or a polyline.
 static std::vector<Vec2> read_top(const TomlTable& table) {
-  if (table.is_text("top")) return {{0, table.quantity("top", "m", positive)}};
+  if (!table.is_list("top")) return {{0, table.quantity("top", "m", positive)}};
   const std::vector<Vec2> top = table.polyline("top", 2);
   if (const auto flaw = polyline_flaw(top)) table.fail("top", flaw->vertex, flaw->message);
   return top;
