@@ -84,25 +84,28 @@ std::string link_target(const std::string& path) {
   return target;
 }
 
-void write_in_place(const std::string& path, std::string_view bytes) {
-  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (!file.is_open()) fail_with_reason(ExitCode::cannot_create, path, "cannot be written");
-  write_all(file.number(), bytes, path);
+/// A pipe, a device: whatever is no regular file is written in place.
+int open_in_place(const std::string& path) {
+  const int number = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (number < 0) fail_with_reason(ExitCode::cannot_create, path, "cannot be written");
+  return number;
 }
 
-void replace_file(const std::string& path, std::string_view bytes) {
-  const std::string target = link_target(path);
-  std::string temporary = target + ".XXXXXX";
-  const Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
-  if (!file.is_open()) fail_with_reason(ExitCode::cannot_create, path, "cannot be created");
-  Temporary guard(temporary);
+/// A new file of a name like `pattern`, with the mode that the target would get; the pattern's XXXXXX are replaced.
+int open_temporary(std::string& pattern, const std::string& path) {
+  const int number = ::mkostemp(pattern.data(), O_CLOEXEC);
+  if (number < 0) fail_with_reason(ExitCode::cannot_create, path, "cannot be created");
   const mode_t mask = ::umask(0);
   ::umask(mask);
-  ::fchmod(file.number(), 0666 & ~mask);
-  write_all(file.number(), bytes, path);
-  if (::fsync(file.number()) != 0) fail_with_reason(ExitCode::io, path, "writing to disk failed");
-  if (::rename(temporary.c_str(), target.c_str()) != 0) fail_with_reason(ExitCode::cannot_create, path, "cannot be created");
-  guard.keep();
+  ::fchmod(number, 0666 & ~mask);
+  return number;
+}
+
+bool is_special(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return false;
+  if (S_ISDIR(status.st_mode)) throw Error(ExitCode::cannot_create, path + ": is a directory, expected a file name");
+  return !S_ISREG(status.st_mode);
 }
 
 }  // namespace
@@ -134,13 +137,42 @@ std::string read_input(const std::string& path) {
   return bytes;
 }
 
+struct OutputFile::State {
+  std::string name;    // in messages
+  std::string target;  // what the temporary becomes; empty where the output is written in place
+  std::string temporary;
+  std::unique_ptr<Descriptor> file;
+  std::unique_ptr<Temporary> guard;
+};
+
+OutputFile::OutputFile(const std::string& path) : state_(new State) {
+  state_->name = path == "-" ? "stdout" : path;
+  if (path == "-" || is_special(path)) {
+    state_->file = std::make_unique<Descriptor>(path == "-" ? STDOUT_FILENO : open_in_place(path));
+    return;
+  }
+  state_->target = link_target(path);
+  state_->temporary = state_->target + ".XXXXXX";
+  state_->file = std::make_unique<Descriptor>(open_temporary(state_->temporary, path));
+  state_->guard = std::make_unique<Temporary>(state_->temporary);
+}
+
+OutputFile::~OutputFile() = default;
+
+void OutputFile::write(std::string_view bytes) { write_all(state_->file->number(), bytes, state_->name); }
+
+void OutputFile::finish() {
+  if (!state_->guard) return;
+  if (::fsync(state_->file->number()) != 0) fail_with_reason(ExitCode::io, state_->name, "writing to disk failed");
+  if (::rename(state_->temporary.c_str(), state_->target.c_str()) != 0)
+    fail_with_reason(ExitCode::cannot_create, state_->name, "cannot be created");
+  state_->guard->keep();
+}
+
 void write_output(const std::string& path, std::string_view bytes) {
-  if (path == "-") return write_all(STDOUT_FILENO, bytes, "stdout");
-  struct stat status {};
-  const bool is_special = ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
-  if (is_special && S_ISDIR(status.st_mode)) throw Error(ExitCode::cannot_create, path + ": is a directory, expected a file name");
-  if (is_special) return write_in_place(path, bytes);
-  replace_file(path, bytes);
+  OutputFile file(path);
+  file.write(bytes);
+  file.finish();
 }
 
 }  // namespace slidezone

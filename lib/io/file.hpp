@@ -1,10 +1,11 @@
 // Whole files in, whole files out; "-" is a standard stream.
 //
-// A result is built in memory, written to a temporary beside its target, synced and renamed: a reader sees the old file or
+// A result is written to a temporary beside its target, synced and renamed: a reader sees the old file or
 // the new one, never a part. A failed or interrupted run leaves no temporary. Targets that exist and are not regular
 // files (a pipe, /dev/null) are written in place.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,22 @@ std::string read_input(const std::string& path);
 
 /// Throws with ExitCode::cannot_create if the target cannot be created, io if writing fails.
 void write_output(const std::string& path, std::string_view bytes);
+
+/// The same for a result written piece by piece: the target appears with finish(), and never without it.
+class OutputFile {
+ public:
+  explicit OutputFile(const std::string& path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  void write(std::string_view bytes);
+  void finish();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 /// Throws ExitCode::usage if `path` is "-" and stdout is a terminal: a binary file would garble it.
 void refuse_terminal(const std::string& path);

@@ -10,9 +10,10 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "io/hdf5_layout.hpp"
 
-// Exported by the HDF5 library but declared in no public header: Jenkins' lookup3 hash, the checksum of HDF5 metadata.
-extern "C" std::uint32_t H5_checksum_lookup3(const void* data, std::size_t length, std::uint32_t initial);
+// Exported by the HDF5 library but declared in no public header: the checksum of its Fletcher-32 filter.
+extern "C" std::uint32_t H5_checksum_fletcher32(const void* data, std::size_t length);
 
 namespace slidezone {
 
@@ -21,7 +22,7 @@ namespace {
 /// An HDF5 identifier that closes itself.
 class Handle {
  public:
-  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+  Handle(hid_t id, herr_t (*closing)(hid_t)) : id_(id), close_(closing) {}
   ~Handle() {
     if (id_ >= 0) close_(id_);
   }
@@ -30,6 +31,8 @@ class Handle {
   Handle& operator=(const Handle&) = delete;
   operator hid_t() const { return id_; }
   bool is_valid() const { return id_ >= 0; }
+  /// Closes it now; true if that succeeded.
+  bool close() { return close_(std::exchange(id_, -1)) >= 0; }
 
  private:
   hid_t id_;
@@ -42,13 +45,7 @@ hid_t must(hid_t id, const char* what) {
   return id;
 }
 
-Handle latest_format_in_memory() {
-  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  constexpr std::size_t increment = 1 << 20;
-  must(H5Pset_fapl_core(access, increment, 0), "a file in memory");
-  must(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "a file in memory");
-  return access;
-}
+void use_latest_format(hid_t access) { must(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "a file in memory"); }
 
 /// HDF5 refuses to open two files of one name at a time, also in memory.
 std::string next_image_name() {
@@ -58,30 +55,47 @@ std::string next_image_name() {
 
 void silence_hdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
-/// Groups without times and with attributes stored in the order of their creation.
+/// Groups without times.
 Handle group_properties(hid_t property_class) {
   Handle properties(H5Pcreate(property_class), H5Pclose);
   must(H5Pset_obj_track_times(properties, 0), "group properties");
   return properties;
 }
 
-/// Offsets in the superblock of versions 2 and 3 (HDF5 file format specification, II.A).
-constexpr std::size_t superblock_version_at = 8;
-constexpr std::size_t superblock_checksum_at = 44;
-
-void mend_superblock_checksum(std::string& image) {
-  const char version = image[superblock_version_at];
-  if (version != 2 && version != 3) throw Error(ExitCode::internal, "HDF5 wrote an unexpected superblock");
-  const std::uint32_t sum = H5_checksum_lookup3(image.data(), superblock_checksum_at, 0);
-  for (std::size_t byte = 0; byte < 4; ++byte) image[superblock_checksum_at + byte] = static_cast<char>(sum >> (8 * byte) & 0xff);
+std::size_t product(std::span<const hsize_t> shape) {
+  return std::accumulate(shape.begin(), shape.end(), std::size_t{1},
+                         [](std::size_t a, hsize_t b) { return a * static_cast<std::size_t>(b); });
 }
+
+bool is_empty(std::span<const hsize_t> shape) { return product(shape) == 0; }
+
+constexpr std::size_t checksum_size = 4;
 
 }  // namespace
 
 // ---- writer -----------------------------------------------------------------------------------------------------------
 
+/// A chunk as HDF5's Fletcher-32 filter leaves it: the numbers, then their checksum, least byte first.
+template <class Number>
+static void fill_slice(const std::function<void(std::size_t, std::span<Number>)>& fill, std::size_t slice, std::size_t numbers,
+                       std::span<std::byte> bytes) {
+  fill(slice, {reinterpret_cast<Number*>(bytes.data()), numbers});
+  const std::size_t size = numbers * sizeof(Number);
+  const std::uint32_t sum = H5_checksum_fletcher32(bytes.data(), size);
+  for (std::size_t byte = 0; byte < checksum_size; ++byte) bytes[size + byte] = static_cast<std::byte>(sum >> (8 * byte) & 0xff);
+}
+
+static Handle new_file(Hdf5Layout& layout) {
+  silence_hdf5();
+  const Handle access(access_to(layout), H5Pclose);
+  use_latest_format(access);
+  const Handle creation = group_properties(H5P_FILE_CREATE);
+  return Handle(must(H5Fcreate(next_image_name().c_str(), H5F_ACC_TRUNC, creation, access), "a file in memory"), H5Fclose);
+}
+
 struct Hdf5Writer::State {
-  Handle file;
+  Hdf5Layout layout;  // before the file, which writes to it until it is closed
+  Handle file = new_file(layout);
 
   Handle object(const std::string& path) const {
     return Handle(must(H5Oopen(file, path.empty() ? "/" : path.c_str(), H5P_DEFAULT), path.c_str()), H5Oclose);
@@ -91,30 +105,41 @@ struct Hdf5Writer::State {
     const Handle attribute(must(H5Acreate2(owner, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), name.c_str()), H5Aclose);
     must(H5Awrite(attribute, type, value), name.c_str());
   }
-  void dataset(const std::string& path, hid_t type, const void* values, std::vector<hsize_t> shape) const {
+  /// A new dataset in chunks of one slice of the first dimension, or in one chunk where there is one dimension.
+  Handle new_dataset(const std::string& path, hid_t type, const std::vector<hsize_t>& shape) const {
     const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     must(H5Pset_obj_track_times(properties, 0), path.c_str());
-    const bool is_empty = std::find(shape.begin(), shape.end(), hsize_t{0}) != shape.end();
-    if (!is_empty) {
+    if (!is_empty(shape)) {
       std::vector<hsize_t> chunk = shape;
       if (chunk.size() > 1) chunk[0] = 1;
       must(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()), path.c_str());
       must(H5Pset_fletcher32(properties), path.c_str());
     }
     const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
-    const Handle dataset(must(H5Dcreate2(file, path.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), path.c_str()), H5Dclose);
-    if (!is_empty) must(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), path.c_str());
+    return Handle(must(H5Dcreate2(file, path.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), path.c_str()), H5Dclose);
+  }
+  void dataset(const std::string& path, hid_t type, const void* values, const std::vector<hsize_t>& shape) const {
+    const Handle dataset = new_dataset(path, type, shape);
+    if (!is_empty(shape)) must(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), path.c_str());
+  }
+  template <class Number>
+  void dataset_later(const std::string& path, hid_t type, const std::vector<hsize_t>& shape,
+                     const std::function<void(std::size_t, std::span<Number>)>& fill) {
+    const Handle dataset = new_dataset(path, type, shape);
+    if (is_empty(shape)) return;
+    const std::size_t slices = shape.size() > 1 ? shape[0] : 1;
+    const std::size_t numbers = product(shape) / slices;
+    for (std::size_t slice = 0; slice < slices; ++slice) {
+      layout.next_slice = [fill, slice, numbers](std::span<std::byte> bytes) { fill_slice(fill, slice, numbers, bytes); };
+      std::vector<hsize_t> start(shape.size(), 0);
+      if (shape.size() > 1) start[0] = slice;
+      const char nothing = 0;  // the driver keeps the place of a slice and leaves the bytes alone
+      must(H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, start.data(), numbers * sizeof(Number) + checksum_size, &nothing), path.c_str());
+    }
   }
 };
 
-static Handle new_file_in_memory() {
-  silence_hdf5();
-  const Handle access = latest_format_in_memory();
-  const Handle creation = group_properties(H5P_FILE_CREATE);
-  return Handle(must(H5Fcreate(next_image_name().c_str(), H5F_ACC_TRUNC, creation, access), "a file in memory"), H5Fclose);
-}
-
-Hdf5Writer::Hdf5Writer() : state_(new State{new_file_in_memory()}) {}
+Hdf5Writer::Hdf5Writer() : state_(new State) {}
 Hdf5Writer::~Hdf5Writer() = default;
 
 void Hdf5Writer::group(const std::string& path) {
@@ -154,20 +179,30 @@ void Hdf5Writer::dataset(const std::string& path, std::span<const std::uint8_t> 
   state_->dataset(path, H5T_NATIVE_UINT8, values.data(), {values.size()});
 }
 
+void Hdf5Writer::dataset_later(const std::string& path, const std::vector<std::size_t>& shape,
+                               std::function<void(std::size_t, std::span<double>)> fill) {
+  state_->dataset_later<double>(path, H5T_NATIVE_DOUBLE, {shape.begin(), shape.end()}, fill);
+}
+
+void Hdf5Writer::dataset_later(const std::string& path, std::size_t count, std::function<void(std::size_t, std::span<std::int64_t>)> fill) {
+  state_->dataset_later<std::int64_t>(path, H5T_NATIVE_INT64, {count}, fill);
+}
+
 void Hdf5Writer::provenance(const Provenance& provenance) {
   attribute("", "schema", provenance.schema);
   attribute("", "tool", provenance.tool);
   for (const auto& [key, value] : provenance.details) attribute("", key, value);
 }
 
-std::string Hdf5Writer::image() {
-  must(H5Fflush(state_->file, H5F_SCOPE_GLOBAL), "an image");
-  const ssize_t size = H5Fget_file_image(state_->file, nullptr, 0);
-  if (size <= 0) throw Error(ExitCode::internal, "HDF5 gave no image");
-  std::string image(static_cast<std::size_t>(size), '\0');
-  if (H5Fget_file_image(state_->file, image.data(), image.size()) != size) throw Error(ExitCode::internal, "HDF5 gave no image");
-  mend_superblock_checksum(image);
+void Hdf5Writer::write(const std::function<void(std::string_view)>& take) {
+  if (!state_->file.close()) throw Error(ExitCode::internal, "HDF5 could not build the file");
+  write_out(state_->layout, take);
   state_.reset();
+}
+
+std::string Hdf5Writer::image() {
+  std::string image;
+  write([&](std::string_view bytes) { image += bytes; });
   return image;
 }
 
@@ -204,14 +239,11 @@ static std::vector<hsize_t> extent(hid_t dataset) {
   return shape;
 }
 
-static std::size_t product(std::span<const hsize_t> shape) {
-  return std::accumulate(shape.begin(), shape.end(), std::size_t{1},
-                         [](std::size_t a, hsize_t b) { return a * static_cast<std::size_t>(b); });
-}
-
 static Handle open_image(std::string_view image) {
   silence_hdf5();
-  const Handle access = latest_format_in_memory();
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  constexpr std::size_t increment = 1 << 20;
+  if (H5Pset_fapl_core(access, increment, 0) < 0) return Handle(-1, H5Fclose);
   if (H5Pset_file_image(access, const_cast<char*>(image.data()), image.size()) < 0) return Handle(-1, H5Fclose);  // HDF5 copies the bytes
   return Handle(H5Fopen(next_image_name().c_str(), H5F_ACC_RDONLY, access), H5Fclose);
 }

@@ -1,13 +1,14 @@
-// HDF5 files as images in memory: built by Hdf5Writer, taken apart by Hdf5Reader; io/file.hpp moves the bytes.
+// HDF5 files: built by Hdf5Writer, taken apart by Hdf5Reader from an image in memory; io/file.hpp moves the bytes.
 //
-// Why images: HDF5 1.10.8 crashes at exit after a failed write, and a pipe cannot seek. Written in the latest format with
-// Fletcher-32 checksums on chunked datasets, without times, so that equal contents give equal bytes and corruption is
-// noticed. HDF5 1.10.8 leaves a stale checksum in the superblock of such an image (HDF5 issue 1915); the writer mends it.
+// HDF5 itself never touches a file: HDF5 1.10.8 crashes at exit after a failed write, and a pipe cannot seek. Written in the
+// latest format with Fletcher-32 checksums on chunked datasets, without times, so that equal contents give equal bytes and
+// corruption is noticed. Datasets too large for memory are made slice by slice while the file is written.
 // Paths name groups and datasets from the root: "points/x". The root is "". Numbers are stored as float64, int64 or uint8.
 // Errors: ExitCode::data with the file's name for a file that is not HDF5, damaged, or lacks what is asked for.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -39,10 +40,19 @@ class Hdf5Writer {
   void dataset(const std::string& path, std::span<const std::int64_t> values);
   void dataset(const std::string& path, std::span<const std::uint8_t> values);
 
+  /// The same, made later: while the file is written, `fill` is called once for each slice of the first dimension, with its
+  /// number and the span to fill; for one dimension once, with the whole. Datasets are filled in the order of these calls.
+  void dataset_later(const std::string& path, const std::vector<std::size_t>& shape,
+                     std::function<void(std::size_t, std::span<double>)> fill);
+  void dataset_later(const std::string& path, std::size_t count, std::function<void(std::size_t, std::span<std::int64_t>)> fill);
+
   /// Provenance as attributes of the root: "schema", "tool" and each detail by its key.
   void provenance(const Provenance& provenance);
 
-  /// The bytes of the file. The writer is spent afterwards.
+  /// Hands the bytes of the file to `take`, piece by piece from front to back. The writer is spent afterwards.
+  void write(const std::function<void(std::string_view)>& take);
+
+  /// The bytes of the file as one piece. The writer is spent afterwards.
   std::string image();
 
  private:

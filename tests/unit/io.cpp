@@ -214,6 +214,49 @@ TEST(Hdf5, ReadsBackWhatWasWritten) {
 
 TEST(Hdf5, GivesEqualBytesForEqualContents) { EXPECT_EQ(sample_image(), sample_image()); }
 
+/// A file like sample_image()'s whose numbers are made while it is written.
+std::string later_image(std::vector<std::string>& calls) {
+  Hdf5Writer writer;
+  writer.provenance({"s 1", "t 1", {}});
+  std::int64_t sum = 0;
+  writer.dataset_later("v", {3, 2, 50}, [&](std::size_t slice, std::span<double> values) {
+    calls.push_back("v" + std::to_string(slice));
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(slice * 1000 + i) / 7;
+    sum += static_cast<std::int64_t>(values.size());
+  });
+  writer.dataset("before", std::vector<double>{1, 2}, {2});
+  writer.dataset_later("sums", 2, [&](std::size_t, std::span<std::int64_t> values) {
+    calls.push_back("sums");
+    values[0] = values[1] = sum;
+  });
+  writer.dataset_later("none", 0, [](std::size_t, std::span<std::int64_t>) { ADD_FAILURE(); });
+  return writer.image();
+}
+
+TEST(Hdf5, MakesSlicesWhileItWrites) {
+  std::vector<std::string> calls;
+  const std::string image = later_image(calls);
+  EXPECT_EQ(calls, (std::vector<std::string>{"v0", "v1", "v2", "sums"}));
+  const Hdf5Reader reader(image, "f.h5", "s 1");
+  EXPECT_EQ(reader.shape("v"), (std::vector<std::size_t>{3, 2, 50}));
+  EXPECT_EQ(reader.reals("v", 2)[99], 2099.0 / 7);
+  EXPECT_EQ(reader.reals("before"), (std::vector<double>{1, 2}));
+  EXPECT_EQ(reader.integers("sums"), (std::vector<std::int64_t>{300, 300}));
+  EXPECT_EQ(later_image(calls), image);
+}
+
+TEST(Hdf5, NoticesCorruptionInSlicesMadeLater) {
+  std::vector<std::string> calls;
+  std::string image = later_image(calls);
+  const double marker = 1005.0 / 7;
+  const std::size_t place = image.find(std::string_view(reinterpret_cast<const char*>(&marker), sizeof marker));
+  ASSERT_NE(place, std::string::npos);
+  image[place] = static_cast<char>(image[place] ^ 1);
+  const Hdf5Reader reader(image, "f.h5", "s 1");
+  EXPECT_EQ(reader.reals("v", 0)[5], 5.0 / 7);
+  message_of([&] { reader.reals("v", 1); });
+}
+
 TEST(Hdf5, HoldsSeveralFilesOpenAtOnce) {
   const Hdf5Reader first(sample_image(), "f.h5", "s 1");
   const Hdf5Reader second(sample_image(), "f.h5", "s 1");
