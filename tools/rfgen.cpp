@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -51,48 +53,57 @@ FieldModel model_of(const FieldSpec& spec, double floor) {
   return {mesh, spec.horizontal_scale, spec.vertical_scale, spec.mean, spec.cov, floor};
 }
 
-struct Samples {
-  std::vector<std::int64_t> realization;
-  std::vector<std::int64_t> floored;
-  std::vector<double> values;  // [samples][cells_y][cells_x]
+/// What is drawn: samples first ... first + count - 1 of a field.
+struct Draw {
+  const FieldSpec& spec;
+  FieldModel model;
+  std::uint64_t seed;
+  std::uint64_t first;
+  std::uint64_t count;
 };
 
-Samples draw(const FieldModel& model, RandomStream stream, std::uint64_t first, std::uint64_t count) {
+Draw draw_of(const Options& options, const Scene& scene) {
+  const FieldSpec& spec = scene.fields.front();
+  const std::uint64_t count = options.count.value_or(scene.study.realizations);
+  if (count > last_sample - options.first + 1)
+    throw Error(ExitCode::usage, "samples are numbered up to " + std::to_string(last_sample) + "; lower --first or --count");
+  return {spec, model_of(spec, least_residual(scene)), options.seed.value_or(scene.study.seed), options.first, count};
+}
+
+/// Draws each sample when its turn to be written comes.
+void write_samples(const Draw& draw, Hdf5Writer& file, OutputFile& output) {
   Progress progress("rfgen", is_quiet() ? Progress::Show::never : Progress::Show::on_terminal);
-  Samples samples;
-  samples.values.resize(count * model.mesh.size());
-  for (std::uint64_t i = 0; i < count; ++i) {
-    stream.sample = static_cast<std::uint32_t>(first + i);
-    const std::size_t floored = fill_sample(std::span(samples.values).subspan(i * model.mesh.size(), model.mesh.size()), model, stream);
-    samples.realization.push_back(static_cast<std::int64_t>(first + i));
-    samples.floored.push_back(static_cast<std::int64_t>(floored));
-    progress.update(static_cast<double>(i + 1) / static_cast<double>(count), "sample " + std::to_string(first + i));
-  }
-  return samples;
+  const std::string& parameter = draw.spec.parameter;
+  std::vector<std::int64_t> realizations(draw.count);
+  std::iota(realizations.begin(), realizations.end(), static_cast<std::int64_t>(draw.first));
+  std::vector<std::int64_t> floored(draw.count);
+
+  file.dataset("realization", realizations);
+  file.dataset_later(parameter, {draw.count, static_cast<std::size_t>(draw.spec.cells_y), static_cast<std::size_t>(draw.spec.cells_x)},
+                     [&](std::size_t i, std::span<double> values) {
+                       const auto sample = static_cast<std::uint32_t>(draw.first + i);
+                       floored[i] = static_cast<std::int64_t>(fill_sample(values, draw.model, {draw.seed, purpose(parameter), sample}));
+                       progress.update(static_cast<double>(i + 1) / static_cast<double>(draw.count), "sample " + std::to_string(sample));
+                     });
+  file.attribute(parameter, "unit", std::string("Pa"));
+  file.attribute(parameter, "cell_x", draw.spec.cell_x);
+  file.attribute(parameter, "cell_y", draw.spec.cell_y);
+  file.dataset_later("floored", draw.count,
+                     [&](std::size_t, std::span<std::int64_t> values) { std::ranges::copy(floored, values.begin()); });
+  file.write([&](std::string_view bytes) { output.write(bytes); });
 }
 
 void run(const Options& options) {
   refuse_terminal(options.output);
   const Scene scene = read_scene(options.scene, {.soil = true, .field = true});
-  const FieldSpec& spec = scene.fields.front();
-  const FieldModel model = model_of(spec, least_residual(scene));
-  const std::uint64_t seed = options.seed.value_or(scene.study.seed);
-  const std::uint64_t count = options.count.value_or(scene.study.realizations);
-  if (count > last_sample - options.first + 1)
-    throw Error(ExitCode::usage, "samples are numbered up to " + std::to_string(last_sample) + "; lower --first or --count");
-  const Samples samples = draw(model, {seed, purpose(spec.parameter), 0}, options.first, count);
-
+  const Draw draw = draw_of(options, scene);
+  OutputFile output(options.output);
   Hdf5Writer file;
   Provenance origin = provenance("slidezone-fields 1", "rfgen");
-  origin.details = {{"scene", scene.checksum}, {"seed", std::to_string(seed)}};
+  origin.details = {{"scene", scene.checksum}, {"seed", std::to_string(draw.seed)}};
   file.provenance(origin);
-  file.dataset("realization", samples.realization);
-  file.dataset(spec.parameter, samples.values, {count, static_cast<std::size_t>(spec.cells_y), static_cast<std::size_t>(spec.cells_x)});
-  file.attribute(spec.parameter, "unit", std::string("Pa"));
-  file.attribute(spec.parameter, "cell_x", spec.cell_x);
-  file.attribute(spec.parameter, "cell_y", spec.cell_y);
-  file.dataset("floored", samples.floored);
-  write_output(options.output, file.image());
+  write_samples(draw, file, output);
+  output.finish();
 }
 
 }  // namespace
