@@ -17,8 +17,14 @@ static std::string tool_name;  // set once by tool_main, before anything prints
 static bool quiet = false;
 
 static const char* const exit_codes =
-    "Exit codes: 0 done; 64 wrong command line; 65 wrong input data; 66 input missing; 70 a fault of this program;\n"
-    "73 output cannot be created; 74 reading or writing failed.";
+    "Exit codes:\n"
+    "  0    done\n"
+    "  64   wrong command line\n"
+    "  65   wrong input data\n"
+    "  66   input missing\n"
+    "  70   a fault of this program\n"
+    "  73   output cannot be created\n"
+    "  74   reading or writing failed";
 
 bool is_quiet() { return quiet; }
 
@@ -58,7 +64,7 @@ int tool_main(CLI::App& app, const std::string& example, int argc, char** argv, 
   app.set_version_flag("--version", tool_name + " " + std::string(version()), "Print the version and stop");
   app.add_flag("-q,--quiet", quiet, "No progress line and no notes; warnings and errors remain");
   app.get_formatter()->column_width(34);
-  app.footer("Example: " + example + "\n" + exit_codes);
+  app.footer("Example: " + example + "\n\n" + exit_codes);
   try {
     return parse_and_run(app, argc, argv, run);
   } catch (const Error& error) {
