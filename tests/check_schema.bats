@@ -81,3 +81,36 @@ END
   assert_failure 1
   assert_output --partial "heigth"
 }
+
+# fields: one real file of rfgen, then the description of it with a change.
+fields() {
+  rfgen "$TOP/pipelines/demo/scene.toml" -n 2 -o "$BATS_TEST_TMPDIR/file"
+  cp "$TOP/data-schemas/fields.json" "$BATS_TEST_TMPDIR/description.json"
+}
+
+@test "HDF5: a file of rfgen obeys its description" {
+  fields
+  check
+  assert_success
+  assert_output ""
+}
+
+@test "HDF5: another type, shape, name or schema is a fault" {
+  fields
+  local change
+  for change in 's|"path": "/realization", "type": "whole"|"path": "/realization", "type": "real"|' \
+    's|"cells_y", "cells_x"|"samples", "cells_x"|' 's|"path": "/floored"|"path": "/flored"|' 's|slidezone-fields 1|slidezone-fields 2|'; do
+    sed "$change" "$TOP/data-schemas/fields.json" >"$BATS_TEST_TMPDIR/description.json"
+    run ! cmp -s "$TOP/data-schemas/fields.json" "$BATS_TEST_TMPDIR/description.json"
+    check
+    assert_failure 1
+  done
+}
+
+@test "HDF5: what is not HDF5 is a fault" {
+  fields
+  echo text >"$BATS_TEST_TMPDIR/file"
+  check
+  assert_failure 1
+  assert_output --partial "h5dump cannot read it"
+}
