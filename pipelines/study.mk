@@ -1,0 +1,161 @@
+# The study of one scene: random fields, one run of mpmrun per realization, statistics, zones, pictures.
+#
+# Beside a scene, a Makefile of three lines:
+#     # what the study is about
+#     SCENE := scene.toml
+#     include ../study.mk
+#
+#   make -j8            everything, into out/; stop it at any time, the same command goes on where it stopped
+#   make -j8 N=2000     another number of realizations; after N=1000 only the new thousand is run
+#   make rows           the runs alone
+#   make Q=             show each command
+#   make clean          remove out/
+#
+# What comes of it, in OUT:
+#   fields/K.h5 points/K.h5   realizations K to K+49: rfgen's and rfmap's files. Batches are always full, so that a greater N
+#                             changes none of them
+#   rows/K.tsv                realization K: mpmrun's row
+#   rows.tsv                  all rows, and from them statistics.tsv, classes.tsv, curve.tsv
+#   structures.tsv            the classes of the structures listed in STRUCTURES
+#   shown/                    realization SHOWN in full: material points, ground surface, state for ParaView
+#   *.png *.svg, summary.txt
+# A scene without [field] is one deterministic run, realization 0: shown/ and its picture.
+#
+# A change of the scene's text makes everything anew; a new build of the tools does not: say make clean first.
+SHELL := /bin/bash
+.SHELLFLAGS := -eu -o pipefail -c
+.DELETE_ON_ERROR:
+.SECONDARY:
+MAKEFLAGS += --no-builtin-rules --warn-undefined-variables
+
+here := $(dir $(lastword $(MAKEFILE_LIST)))
+TOOLS ?= $(abspath $(here)../build/bin)
+export PATH := $(TOOLS):$(PATH)
+$(if $(shell PATH='$(PATH)' command -v mpmrun),,$(error mpmrun is neither in $(TOOLS) nor in PATH: run make at the top level first))
+
+SCENE ?= scene.toml
+OUT ?= out
+STRUCTURES ?= $(wildcard structures.tsv)
+Q ?= @
+
+# ---- what the scene says ------------------------------------------------------------------------------------------------
+
+# A value of the parsed scene, or the last line of what is wrong with it.
+scene_value = $(shell python3 -c 'import sys, tomllib; scene = tomllib.load(open(sys.argv[1], "rb")); print($1)' $(SCENE) 2>&1 | tail -n 1)
+has_field := $(call scene_value,bool(scene.get("field")))
+$(if $(filter True False,$(has_field)),,$(error $(SCENE): $(has_field)))
+is_random := $(filter True,$(has_field))
+ifndef N
+N := $(if $(is_random),$(call scene_value,scene["study"]["realizations"]),0)
+endif
+
+# ---- file names ---------------------------------------------------------------------------------------------------------
+
+batch_size := 50
+
+ifdef is_random
+ifeq ($(shell [[ "$(N)" =~ ^[1-9][0-9]{0,5}$$ ]] && echo good),)
+$(error N, the number of realizations, is '$(N)': give a whole number from 1 to 999999, as N=100 or as [study] realizations)
+endif
+SHOWN ?= 1
+# "first realization of the batch/realization" for each: 000001/000001 ... 000001/000050 000051/000051 ...
+numbered := $(shell awk -v n=$(N) -v size=$(batch_size) 'BEGIN { for (k = 1; k <= n; ++k) printf "%06d/%06d ", k - (k - 1) % size, k }')
+else
+SHOWN := 0
+numbered :=
+endif
+
+points_of = $(OUT)/points/$(patsubst %/,%,$(dir $1)).h5
+row_of = $(OUT)/rows/$(notdir $1).tsv
+batches := $(sort $(foreach pair,$(numbered),$(call points_of,$(pair))))
+rows := $(foreach pair,$(numbered),$(call row_of,$(pair)))
+shown := $(addprefix $(OUT)/shown/,row.tsv points.tsv surface.tsv state.hdf)
+shown_points := $(if $(is_random),$(shell printf '$(OUT)/points/%06d.h5' $$(($(SHOWN) - ($(SHOWN) - 1) % $(batch_size)))))
+tables := $(if $(is_random),$(addprefix $(OUT)/,statistics.tsv classes.tsv curve.tsv $(if $(STRUCTURES),structures.tsv)))
+pictures := $(OUT)/slope.png $(if $(is_random),$(OUT)/exceedance.png $(OUT)/zones.png)
+
+.PHONY: all rows pictures clean FORCE
+all: $(OUT)/summary.txt
+	@cat $<
+rows: $(or $(rows),$(OUT)/shown/row.tsv)
+pictures: $(pictures)
+clean:
+	rm -rf $(OUT)
+
+# ---- what results depend on beside files --------------------------------------------------------------------------------
+
+# Rewritten only where it differs, so that a mere touch of the scene costs nothing and another SCENE is noticed.
+$(OUT)/scene.toml: FORCE | $(OUT)
+	@cmp -s $(SCENE) $@ || cp $(SCENE) $@
+
+# A smaller N makes no new row, but other tables.
+$(OUT)/realizations: FORCE | $(OUT)
+	@cmp -s <(echo $(N)) $@ || echo $(N) >$@
+
+FORCE:
+
+$(OUT) $(OUT)/fields $(OUT)/points $(OUT)/rows $(OUT)/shown:
+	@mkdir -p $@
+
+# ---- fields, points, rows -----------------------------------------------------------------------------------------------
+
+number = $$((10\#$*))
+
+$(OUT)/fields/%.h5: $(OUT)/scene.toml | $(OUT)/fields
+	$(Q)rfgen $(SCENE) --first $(number) -n $(batch_size) --quiet -o $@
+
+$(OUT)/points/%.h5: $(OUT)/fields/%.h5 | $(OUT)/points
+	$(Q)rfmap $(SCENE) $< --quiet -o $@
+
+$(foreach pair,$(numbered),$(eval $(call row_of,$(pair)): $(call points_of,$(pair))))
+$(rows): $(OUT)/rows/%.tsv: $(OUT)/scene.toml | $(OUT)/rows
+	$(Q)mpmrun $(SCENE) --points $(filter %.h5,$^) --sample $(number) --quiet -o $@
+	@$(here)progress $(OUT) $(N) $(started)
+
+started := $(shell date +%s)
+
+# Thousands of names do not fit on a command line. Of equal provenance and header lines, the first is kept.
+$(OUT)/rows.tsv: $(rows) $(OUT)/realizations
+	@$(file >$@.list,$(rows))
+	$(Q)xargs -a $@.list cat | awk '!/^(#|realization)/ || !seen[$$0]++' >$@
+	@rm $@.list
+
+# ---- one realization in full --------------------------------------------------------------------------------------------
+
+$(shown) &: $(OUT)/scene.toml $(shown_points) | $(OUT)/shown
+	$(Q)mpmrun $(SCENE) $(if $(is_random),--points $(shown_points) --sample $(SHOWN)) -o $(OUT)/shown/row.tsv \
+	  --table $(OUT)/shown/points.tsv --profile $(OUT)/shown/surface.tsv --state $(OUT)/shown/state.hdf
+
+# ---- statistics and zones -----------------------------------------------------------------------------------------------
+
+$(OUT)/statistics.tsv: $(OUT)/rows.tsv
+	$(Q)mcstats $< -o $@
+
+$(OUT)/classes.tsv: $(OUT)/rows.tsv
+	$(Q)zoning $< --classes -o $@
+
+$(OUT)/curve.tsv: $(OUT)/rows.tsv
+	$(Q)zoning $< --curve -o $@
+
+$(OUT)/structures.tsv: $(OUT)/rows.tsv $(STRUCTURES)
+	$(Q)zoning $< --structures $(STRUCTURES) -o $@
+
+# ---- pictures: each as PNG and SVG --------------------------------------------------------------------------------------
+
+plot = $(Q)gnuplot -c $(here)plots/$(notdir $(basename $@)).gp $(basename $@)
+
+$(OUT)/slope.png $(OUT)/slope.svg &: $(shown) $(here)plots/slope.gp
+	$(plot) $(OUT)/shown
+
+$(OUT)/exceedance.png $(OUT)/exceedance.svg &: $(OUT)/curve.tsv $(here)plots/exceedance.gp
+	$(plot) $(OUT)/curve.tsv
+
+$(OUT)/zones.png $(OUT)/zones.svg &: $(OUT)/classes.tsv $(filter %/structures.tsv,$(tables)) $(shown) $(here)plots/zones.gp
+	$(plot) $(OUT)/classes.tsv $(OUT)/shown/surface.tsv $(filter %/structures.tsv,$^)
+
+result_rows := $(if $(is_random),$(OUT)/rows.tsv,$(OUT)/shown/row.tsv)
+shown_out := $(patsubst $(abspath $(here)..)/%,%,$(abspath $(OUT)))
+
+$(OUT)/summary.txt: $(result_rows) $(tables) $(pictures) $(here)summary
+	@$(here)summary -v title='$(subst ','"'"',$(call scene_value,scene.get("title", "$(SCENE)")))' -v out=$(shown_out) \
+	  $(result_rows) $(filter-out %/curve.tsv,$(tables)) >$@
