@@ -6,7 +6,9 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -48,20 +50,60 @@ Dimension dimension_of(const std::string& unit) {
   return found == dimensions.end() ? Dimension{"a quantity in " + unit, "1 " + unit} : found->second;
 }
 
-/// The unit database, to which "deg" is added: UDUNITS-2 knows only "degree" and "arcdeg".
-std::unique_ptr<ut_system, FreeSystem> read_unit_system() {
+using System = std::unique_ptr<ut_system, FreeSystem>;
+
+void add_symbol(ut_system* system, const char* symbol, const char* definition) {
+  const Unit unit(ut_parse(system, definition, UT_ASCII));
+  ut_map_symbol_to_unit(symbol, UT_ASCII, unit.get());
+}
+
+/// The units that scenes are usually written in, with the symbols and values of the database, which takes 4 ms to read.
+System common_units() {
   ut_set_error_message_handler(ut_ignore);
-  std::unique_ptr<ut_system, FreeSystem> system(ut_read_xml(nullptr));
-  if (!system) throw Error(ExitCode::internal, "the database of UDUNITS-2 could not be read; is libudunits2-data installed?");
-  const Unit degree(ut_get_unit_by_name(system.get(), "degree"));
-  ut_map_symbol_to_unit("deg", UT_ASCII, degree.get());
+  System system(ut_new_system());
+  for (const char* base : {"m", "kg", "s"}) {
+    const Unit unit(ut_new_base_unit(system.get()));
+    ut_map_symbol_to_unit(base, UT_ASCII, unit.get());
+  }
+  const Unit radian(ut_new_dimensionless_unit(system.get()));
+  ut_map_symbol_to_unit("rad", UT_ASCII, radian.get());
+  for (const auto& [symbol, definition] : {std::pair{"g", "0.001 kg"},
+                                           {"t", "1000 kg"},
+                                           {"N", "kg m s-2"},
+                                           {"Pa", "N m-2"},
+                                           {"min", "60 s"},
+                                           {"h", "3600 s"},
+                                           {"deg", "0.017453292519943295 rad"}})
+    add_symbol(system.get(), symbol, definition);
+  for (const auto& [prefix, factor] : {std::pair{"m", 1e-3}, {"c", 1e-2}, {"k", 1e3}, {"M", 1e6}, {"G", 1e9}})
+    ut_add_symbol_prefix(system.get(), prefix, factor);
   return system;
 }
 
-/// Read once, when the first quantity is parsed.
-ut_system* unit_system() {
-  static const std::unique_ptr<ut_system, FreeSystem> system = read_unit_system();
-  return system.get();
+/// The database of UDUNITS-2 with "deg" added: it knows only "degree" and "arcdeg".
+System all_units() {
+  System system(ut_read_xml(nullptr));
+  if (!system) throw Error(ExitCode::internal, "the database of UDUNITS-2 could not be read; is libudunits2-data installed?");
+  add_symbol(system.get(), "deg", "degree");
+  return system;
+}
+
+/// `value` times the unit `from`, in `to`; nothing where the system does not know a unit or they differ in dimension.
+std::optional<double> converted(ut_system* system, double value, const std::string& from, const std::string& to) {
+  const Unit from_unit(ut_parse(system, from.c_str(), UT_UTF8));
+  const Unit to_unit(ut_parse(system, to.c_str(), UT_UTF8));
+  if (!from_unit || !ut_are_convertible(from_unit.get(), to_unit.get())) return std::nullopt;
+  const std::unique_ptr<cv_converter, FreeConverter> converter(ut_get_converter(from_unit.get(), to_unit.get()));
+  const double result = cv_convert_double(converter.get(), value);
+  return std::isfinite(result) ? std::optional(result) : std::nullopt;
+}
+
+/// The same by the common units or, where those do not serve, by the database.
+std::optional<double> converted(double value, const std::string& from, const std::string& to) {
+  static const System common = common_units();
+  if (const auto result = converted(common.get(), value, from, to)) return result;
+  static const System all = all_units();
+  return converted(all.get(), value, from, to);
 }
 
 }  // namespace
@@ -79,13 +121,9 @@ double parse_quantity(std::string_view text, const std::string& unit) {
 
   const std::string written(text.substr(std::min(text.find_first_not_of(' ', number_size), text.size())));
   if (written.empty()) throw std::invalid_argument(expected);
-  const Unit from(ut_parse(unit_system(), written.c_str(), UT_UTF8));
-  const Unit to(ut_parse(unit_system(), unit.c_str(), UT_UTF8));
-  if (!from || !ut_are_convertible(from.get(), to.get())) throw std::invalid_argument(expected);
-  const std::unique_ptr<cv_converter, FreeConverter> converter(ut_get_converter(from.get(), to.get()));
-  const double converted = cv_convert_double(converter.get(), *value);
-  if (!std::isfinite(converted)) throw std::invalid_argument(expected);
-  return converted;
+  const auto result = converted(*value, written, unit);
+  if (!result) throw std::invalid_argument(expected);
+  return *result;
 }
 
 }  // namespace slidezone

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -42,6 +43,32 @@ TEST(Units, ConvertsToSi) {
   EXPECT_NEAR(parse_quantity("45 deg", "rad"), std::numbers::pi / 4, 1e-15);
   EXPECT_EQ(parse_quantity("0 deg", "rad"), 0);  // UDUNITS alone refuses a unit scaled by zero
   EXPECT_DOUBLE_EQ(parse_quantity("7.5e-4 s", "s"), 7.5e-4);
+}
+
+TEST(Units, AgreesWithTheDatabaseOnCommonUnits) {
+  // Spelled out, a unit is found in the database of UDUNITS-2 alone. Both round: 1e-15.
+  for (const auto& [common, spelled, unit] : std::vector<std::array<const char*, 3>>{{"1 m", "1 meter", "m"},
+                                                                                     {"1 cm", "1 centimeter", "m"},
+                                                                                     {"1 mm", "1 millimeter", "m"},
+                                                                                     {"1 kg/m^3", "1 kilogram/meter^3", "kg m-3"},
+                                                                                     {"1 g/cm^3", "1 gram/centimeter^3", "kg m-3"},
+                                                                                     {"1 t/m^3", "1 metric_ton/meter^3", "kg m-3"},
+                                                                                     {"1 MN/m^3", "1 meganewton/meter^3", "N m-3"},
+                                                                                     {"1 GPa", "1 gigapascal", "Pa"},
+                                                                                     {"1 ms", "1 millisecond", "s"},
+                                                                                     {"1 min", "1 minute", "s"},
+                                                                                     {"1 h", "1 hour", "s"},
+                                                                                     {"1 rad", "1 radian", "rad"},
+                                                                                     {"1 deg", "1 degree", "rad"}}) {
+    const double expected = parse_quantity(spelled, unit);
+    EXPECT_NEAR(parse_quantity(common, unit), expected, 1e-15 * expected) << common;
+  }
+}
+
+TEST(Units, KnowsWhatTheDatabaseKnows) {
+  EXPECT_DOUBLE_EQ(parse_quantity("10 ft", "m"), 3.048);
+  EXPECT_DOUBLE_EQ(parse_quantity("1 bar", "Pa"), 1e5);
+  EXPECT_NEAR(parse_quantity("1 lbf/ft^3", "N m-3"), 157.08746, 1e-5);  // 4.4482216152605 N / 0.3048^3 m^3
 }
 
 TEST(Units, RefusesWrongDimensionsAndText) {
