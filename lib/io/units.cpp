@@ -88,14 +88,17 @@ System all_units() {
   return system;
 }
 
-/// `value` times the unit `from`, in `to`; nothing where the system does not know a unit or they differ in dimension.
+/// `value` times the unit `from`, in `to`; nothing where the system does not know a unit or one is no multiple of the other.
+/// UDUNITS alone would also convert reciprocals (Hz to s), ratios to angles (%), shifted units (m @ 3) and logarithms.
 std::optional<double> converted(ut_system* system, double value, const std::string& from, const std::string& to) {
   const Unit from_unit(ut_parse(system, from.c_str(), UT_UTF8));
   const Unit to_unit(ut_parse(system, to.c_str(), UT_UTF8));
   if (!from_unit || !ut_are_convertible(from_unit.get(), to_unit.get())) return std::nullopt;
   const std::unique_ptr<cv_converter, FreeConverter> converter(ut_get_converter(from_unit.get(), to_unit.get()));
-  const double result = cv_convert_double(converter.get(), value);
-  return std::isfinite(result) ? std::optional(result) : std::nullopt;
+  const double factor = cv_convert_double(converter.get(), 1);
+  const Unit multiple(ut_scale(factor, to_unit.get()));
+  if (!multiple || ut_compare(from_unit.get(), multiple.get()) != 0 || !std::isfinite(value * factor)) return std::nullopt;
+  return value * factor;
 }
 
 /// The same by the common units or, where those do not serve, by the database.
@@ -104,6 +107,18 @@ std::optional<double> converted(double value, const std::string& from, const std
   if (const auto result = converted(common.get(), value, from, to)) return result;
   static const System all = all_units();
   return converted(all.get(), value, from, to);
+}
+
+/// Whether a unit holds a number that is no exponent, "200 kPa" of "1 200 kPa": more likely a mistake than meant. "1/s" does not.
+bool has_factor(std::string_view unit) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  for (std::size_t i = unit.starts_with("1/") ? 2 : 0; i < unit.size(); ++i) {
+    if (!is_digit(unit[i]) || (i > 0 && is_digit(unit[i - 1]))) continue;
+    const std::string_view before = unit.substr(0, i > 0 && (unit[i - 1] == '-' || unit[i - 1] == '+') ? i - 1 : i);
+    const bool is_exponent = !before.empty() && std::string_view(" ./(").find(before.back()) == std::string_view::npos;
+    if (!is_exponent || (before.back() == '*' && !before.ends_with("**"))) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -120,7 +135,7 @@ double parse_quantity(std::string_view text, const std::string& unit) {
   if (!value || number_size == text.size()) throw std::invalid_argument(expected);
 
   const std::string written(text.substr(std::min(text.find_first_not_of(' ', number_size), text.size())));
-  if (written.empty()) throw std::invalid_argument(expected);
+  if (written.empty() || has_factor(written)) throw std::invalid_argument(expected);
   const auto result = converted(*value, written, unit);
   if (!result) throw std::invalid_argument(expected);
   return *result;

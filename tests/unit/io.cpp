@@ -45,6 +45,20 @@ TEST(Units, ConvertsToSi) {
   EXPECT_DOUBLE_EQ(parse_quantity("7.5e-4 s", "s"), 7.5e-4);
 }
 
+TEST(Units, TakesExponentsInEverySpelling) {
+  for (const char* text : {"2 kN/m^3", "2 kN/m3", "2 kN m-3", "2 kN m^-3", "2 kN.m-3", "2kN/m**3", "2 kN/(m^3)", "2 kN/m\u00b3"})
+    EXPECT_DOUBLE_EQ(parse_quantity(text, "N m-3"), 2e3) << text;
+  EXPECT_DOUBLE_EQ(parse_quantity("2 1/s", "s-1"), 2);
+  EXPECT_EQ(parse_quantity("90 degree", "rad"), std::numbers::pi / 2);
+}
+
+TEST(Units, RefusesWhatUdunitsWouldStretchToFit) {
+  for (const char* wrong :
+       {"5 Hz", "5 1/s", "5 s @ 3", "5 lg(re 1 s)", "1 200 s", "1 000 s", "5 s 2", "5 -1 s", "5 1 s", "5 s/2", "5 2*s", "1,5 s"})
+    EXPECT_THROW(parse_quantity(wrong, "s"), std::invalid_argument) << wrong;
+  for (const char* wrong : {"45 %", "45 1", "45 sr", "45 rad2"}) EXPECT_THROW(parse_quantity(wrong, "rad"), std::invalid_argument) << wrong;
+}
+
 TEST(Units, AgreesWithTheDatabaseOnCommonUnits) {
   // Spelled out, a unit is found in the database of UDUNITS-2 alone. Both round: 1e-15.
   for (const auto& [common, spelled, unit] : std::vector<std::array<const char*, 3>>{{"1 m", "1 meter", "m"},
