@@ -178,6 +178,9 @@ BAD = [
 READER_ALONE = [
     ("cut", '"4 m"', '@"4 kPa"', "'height' wants a length, found \"4 kPa\"; write e.g. \"5 m\""),
     ("cut", '"4 m"', '@"4 metros"', "'height' wants a length, found \"4 metros\""),
+    ("cut", '"4 m"', '@"4 1/m"', "'height' wants a length, found \"4 1/m\""),
+    ("cut", '"10 kPa"', '@"1 000 Pa"', "'cohesion' wants a stress, found \"1 000 Pa\"; write e.g. \"20 kPa\""),
+    ("cut", '"90 deg"', '@"45 %"', "'angle' wants an angle, found \"45 %\"; write e.g. \"30 deg\""),
     ("cut", '"4 m"', '@"1e999 m"', "'height' wants a length, found \"1e999 m\""),
     ("cut", "k0 = 0.5", "k0 = @nan", "'k0' wants a finite number, found nan"),
     ("cut", "k0 = 0.5", "k0 = @inf", "'k0' wants a finite number, found inf"),
@@ -207,6 +210,7 @@ READER_ALONE = [
     ("cut", '"5 m"', '@"4 m"', "'height' wants at least 4.5 m, a cell above the slope, found 4 m"),
     ("layers", '["20 m", "2 m"]', '@["19 m", "2 m"]', "'surface' ends in the air at x = 19 m; wants its last point on the base, y = 0 m, or at the right wall, x = 20 m"),
     ("layers", '["0.5 m", "25 cm"]', '@["0.5 m", "40 cm"]', "'cell' wants level ground at a whole number of point spacings, found it at 5 m with points every 0.4 m"),
+    ("layers", re.compile(r'(\["20 m", "2 m"\].*)right = "roller"', re.S), r"@\1", "'surface' goes on to the right wall, which is open"),
     # soils
     ("cut", '"sand"', '@"silt"', "'name' wants a name of its own, found \"silt\" twice"),
     ("layers", '"4 kPa"', '@"21 kPa"', "'residual_cohesion' wants at most 'cohesion', found \"21 kPa\""),

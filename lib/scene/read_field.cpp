@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/text.hpp"
@@ -6,7 +7,7 @@
 
 namespace slidezone {
 
-static const Range coefficients_of_variation{0, 10, true};
+static const Range coefficients_of_variation{.low = 0, .high = 10, .is_low_excluded = true};
 static constexpr double most_cells = 1e8;  // of a field's mesh
 
 static std::string kilopascals(double stress) { return format_brief(stress / 1000) + " kPa"; }

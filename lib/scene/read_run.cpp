@@ -7,8 +7,8 @@
 
 namespace slidezone {
 
-static const Range fraction{0, 1, true};
-static const Range proper_fraction{0, 1, true, true};
+static const Range fraction{.low = 0, .high = 1, .is_low_excluded = true};
+static const Range proper_fraction{.low = 0, .high = 1, .is_low_excluded = true, .is_high_excluded = true};
 
 /// What words of the file stand for, in the order in which messages list them.
 template <class Value>

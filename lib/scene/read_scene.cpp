@@ -16,6 +16,13 @@ static void check_needs(const TomlTable& file, Needs needs) {
   if (needs.field) file.table("field");
 }
 
+/// Ground that goes on to the right wall needs one that holds it.
+static void check_right_wall(const TomlTable& slope_table, const Scene& scene) {
+  if (scene.slope.surface.back().y > 0 && scene.boundaries.right == Wall::open)
+    slope_table.fail("surface", scene.slope.surface.size() - 1,
+                     "goes on to the right wall, which is open: soil would leave the grid there; write right = \"roller\" in [walls]");
+}
+
 Scene parse_scene(std::string_view text, const std::string& name, Needs needs) {
   const TomlTable file = TomlTable::parse(text, name);
   file.check_keys({"title", "slope", "grid", "soil", "base", "walls", "gravity", "time", "field", "output", "study"});
@@ -29,6 +36,7 @@ Scene parse_scene(std::string_view text, const std::string& name, Needs needs) {
   if (file.has("soil")) scene.layers = read_layers(file.tables("soil"));
   if (file.has("base")) read_base(file.table("base"), scene.boundaries);
   if (file.has("walls")) read_walls(file.table("walls"), scene.boundaries);
+  check_right_wall(file.table("slope"), scene);
   if (file.has("gravity")) scene.gravity = read_gravity(file.table("gravity"));
   if (file.has("time")) scene.time = read_time(file.table("time"), scene.gravity);
   if (file.has("field")) scene.fields = read_fields(file.table("field"), scene.slope, scene.layers);

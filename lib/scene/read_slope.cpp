@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -8,7 +9,7 @@
 
 namespace slidezone {
 
-static const Range up_to_vertical{0, std::numbers::pi / 2, true};
+static const Range up_to_vertical{.low = 0, .high = std::numbers::pi / 2, .is_low_excluded = true};
 
 static std::string metres(double length) { return format_brief(length, 9) + " m"; }
 

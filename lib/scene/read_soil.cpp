@@ -9,8 +9,8 @@
 namespace slidezone {
 
 static constexpr double standard_gravity = 9.81;  // m/s^2: turns a unit weight into a density, whatever [gravity] says
-static const Range poisson_ratios{0, 0.5, false, true};
-static const Range acute_angles{0, std::numbers::pi / 2, false, true};
+static const Range poisson_ratios{.low = 0, .high = 0.5, .is_high_excluded = true};
+static const Range acute_angles{.low = 0, .high = std::numbers::pi / 2, .is_high_excluded = true};
 
 static double read_density(const TomlTable& table) {
   if (table.has("density") && table.has("unit_weight")) table.fail("density", "cannot stand beside 'unit_weight'; give either");

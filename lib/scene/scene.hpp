@@ -38,7 +38,8 @@ struct Discretization {
   int points_per_cell = 2;
 };
 
-/// [field.<parameter>]: a random field in place of a layer parameter that is the same everywhere.
+/// [field.<parameter>]: a random field in place of a parameter of all layers. Values below the floor, the residual
+/// strength of the layer, are raised to it.
 struct FieldSpec {
   std::string parameter;  // "cohesion": the peak cohesion
   double mean = 0;        // in the parameter's SI unit

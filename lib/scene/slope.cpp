@@ -67,8 +67,8 @@ std::vector<Vec2> straight_slope(double height, double length, double angle) {
 }
 
 double elevation(const std::vector<Vec2>& polyline, double x) {
-  const auto begins = [](Vec2 point, double at) { return point.x < at; };
-  const auto right = std::lower_bound(polyline.begin(), polyline.end(), x, begins);  // first vertex that does not lie left of x
+  const auto lies_left = [](Vec2 point, double at) { return point.x < at; };
+  const auto right = std::lower_bound(polyline.begin(), polyline.end(), x, lies_left);  // first vertex that does not lie left of x
   if (right == polyline.end()) return polyline.back().y;
   if (right->x == x) {
     const auto past = std::find_if(right, polyline.end(), [x](Vec2 point) { return point.x > x; });

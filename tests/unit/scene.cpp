@@ -218,7 +218,7 @@ TEST(MaterialPoints, OfTheBenchmarkAre11225) {
 /// Points of a slope of height 2 m on cells of 0.5 m; `face` is the rest of its surface after the left wall.
 std::vector<int> column_heights(const std::string& face) {
   const std::string surface = "[slope]\nsurface = [[\"0 m\", \"2 m\"], " + face + "]\n";
-  const MaterialPoints points = material_points(parse(surface + grid_text + soil_text));
+  const MaterialPoints points = material_points(parse(surface + grid_text + soil_text + "[walls]\nright = \"roller\"\n"));
   std::vector<int> heights(40);
   for (const double x : points.x) ++heights[static_cast<std::size_t>(x / points.spacing_x)];
   return {heights.begin(), std::find(heights.begin(), heights.end(), 0)};
