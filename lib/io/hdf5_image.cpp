@@ -105,13 +105,10 @@ struct Hdf5Writer::State {
     const Handle attribute(must(H5Acreate2(owner, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), name.c_str()), H5Aclose);
     must(H5Awrite(attribute, type, value), name.c_str());
   }
-  /// A new dataset in chunks of one slice of the first dimension, or in one chunk where there is one dimension.
-  Handle new_dataset(const std::string& path, hid_t type, const std::vector<hsize_t>& shape) const {
+  Handle new_dataset(const std::string& path, hid_t type, const std::vector<hsize_t>& shape, const std::vector<hsize_t>& chunk) const {
     const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     must(H5Pset_obj_track_times(properties, 0), path.c_str());
     if (!is_empty(shape)) {
-      std::vector<hsize_t> chunk = shape;
-      if (chunk.size() > 1) chunk[0] = 1;
       must(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()), path.c_str());
       must(H5Pset_fletcher32(properties), path.c_str());
     }
@@ -119,13 +116,15 @@ struct Hdf5Writer::State {
     return Handle(must(H5Dcreate2(file, path.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), path.c_str()), H5Dclose);
   }
   void dataset(const std::string& path, hid_t type, const void* values, const std::vector<hsize_t>& shape) const {
-    const Handle dataset = new_dataset(path, type, shape);
+    const Handle dataset = new_dataset(path, type, shape, shape);
     if (!is_empty(shape)) must(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), path.c_str());
   }
   template <class Number>
   void dataset_later(const std::string& path, hid_t type, const std::vector<hsize_t>& shape,
                      const std::function<void(std::size_t, std::span<Number>)>& fill) {
-    const Handle dataset = new_dataset(path, type, shape);
+    std::vector<hsize_t> slice_shape = shape;
+    if (shape.size() > 1) slice_shape[0] = 1;
+    const Handle dataset = new_dataset(path, type, shape, slice_shape);
     if (is_empty(shape)) return;
     const std::size_t slices = shape.size() > 1 ? shape[0] : 1;
     const std::size_t numbers = product(shape) / slices;

@@ -34,14 +34,13 @@ class Hdf5Writer {
   void attribute(const std::string& path, const std::string& name, double value);
   void attribute(const std::string& path, const std::string& name, std::span<const std::int64_t> values);
 
-  /// `shape` is row-major; its product is values.size(). Chunks hold one slice of the first dimension where there are
-  /// two or more, the whole otherwise.
+  /// `shape` is row-major; its product is values.size(). One chunk.
   void dataset(const std::string& path, std::span<const double> values, const std::vector<std::size_t>& shape);
   void dataset(const std::string& path, std::span<const std::int64_t> values);
   void dataset(const std::string& path, std::span<const std::uint8_t> values);
 
   /// The same, made later: while the file is written, `fill` is called once for each slice of the first dimension, with its
-  /// number and the span to fill; for one dimension once, with the whole. Datasets are filled in the order of these calls.
+  /// number and the span to fill; for one dimension once, with the whole. One chunk a slice. Datasets are filled in the order of these calls.
   void dataset_later(const std::string& path, const std::vector<std::size_t>& shape,
                      std::function<void(std::size_t, std::span<double>)> fill);
   void dataset_later(const std::string& path, std::size_t count, std::function<void(std::size_t, std::span<std::int64_t>)> fill);

@@ -1,0 +1,39 @@
+// Shape functions of the generalised interpolation material point method (GIMP; Bardenhagen and Kober 2004), with particle
+// domains that keep their initial size (uGIMP).
+//
+// Along each axis a point at x, with a domain of half-size l cells, reaches three nodes i, i+1, i+2. With
+//   u = x / h - l,   i = floor(u),   s = u - i + l,   o = max(0, s + l - 1),   q = o^2 / (4 l),   r = 2 o / (4 l):
+//   N = {1 - s + q,  s - 2 q,  q},      h dN/dx = {r - 1,  1 - 2 r,  r}.
+// s is the point's place in its first cell, o how far its domain reaches into the next one: without branches, and exact for
+// 0 <= l <= 1/2. l = 0 gives linear shape functions. In two dimensions N = N_x N_y. sum N = 1 and sum dN = 0 everywhere.
+// Nodes i = -1 and i = cells + 1 exist as padding (see node_storage.hpp), so the sums hold at the grid's edges too.
+#pragma once
+
+namespace slidezone {
+
+/// The three numbers that give one axis' weights.
+struct AxisWeights {
+  double s = 0;
+  double q = 0;
+  double r = 0;
+};
+
+/// Weights of a point at `in_cells` = x / h whose first node is `first` = floor(in_cells - half_size).
+/// `inverse_4l` is 1 / (4 l), or 0 for linear shape functions.
+constexpr AxisWeights axis_weights(double in_cells, double first, double half_size, double inverse_4l) {
+  const double s = in_cells - first;
+  const double reach = s + half_size - 1;
+  const double o = reach > 0 ? reach : 0;
+  return {s, o * o * inverse_4l, 2 * o * inverse_4l};
+}
+
+struct AxisValues {
+  double node[3];
+};
+
+constexpr AxisValues shape_values(AxisWeights w) { return {{1 - w.s + w.q, w.s - 2 * w.q, w.q}}; }
+
+/// h dN/dx.
+constexpr AxisValues shape_slopes(AxisWeights w) { return {{w.r - 1, 1 - 2 * w.r, w.r}}; }
+
+}  // namespace slidezone

@@ -1,0 +1,223 @@
+#include "mpm/nodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidezone {
+
+Nodes::Nodes(NodeStorage where)
+    : storage(where), mass(where.count()), velocity(2 * where.count()), change(2 * where.count()), new_velocity(2 * where.count()) {}
+
+/// Calls act(first, count) for the run of nodes in each column of the box.
+template <class Act>
+static void for_each_column(const Nodes& nodes, const NodeBox& box, Act act) {
+  for (int column = box.first_column; column < box.last_column; ++column)
+    act(nodes.storage.index(column, box.first_row), static_cast<std::size_t>(box.last_row - box.first_row));
+}
+
+static void clear(std::vector<double>& values, std::size_t first, std::size_t count) {
+  std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(first), count, 0.0);
+}
+
+void clear_sums(Nodes& nodes, const NodeBox& box) {
+  for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
+    clear(nodes.mass, first, count);
+    clear(nodes.velocity, 2 * first, 2 * count);
+    clear(nodes.change, 2 * first, 2 * count);
+  });
+}
+
+void clear_new_sums(Nodes& nodes, const NodeBox& box) {
+  for_each_column(nodes, box, [&](std::size_t first, std::size_t count) { clear(nodes.new_velocity, 2 * first, 2 * count); });
+}
+
+// ---- walls and base as mirrors ----------------------------------------------------------------------------------------
+
+/// Signs that a mirror gives to the components of a velocity, momentum or force.
+struct Mirror {
+  double x;
+  double y;
+};
+
+static Mirror mirror_of(Wall wall) { return {-1, wall == Wall::stick ? -1.0 : 1.0}; }
+static Mirror mirror_of(BaseContact contact) { return {contact == BaseContact::stick ? -1.0 : 1.0, -1}; }
+
+/// Calls act(behind, before, mirror) for each padding node in the box that lies behind a closed side and the node that it
+/// mirrors.
+template <class Act>
+static void for_each_image(const Nodes& nodes, const NodeBox& box, const NodeSettings& settings, Act act) {
+  const auto columns = [&](int behind, int before, Wall wall) {
+    if (wall == Wall::open || behind < box.first_column || behind >= box.last_column) return;
+    for (int row = box.first_row; row < box.last_row; ++row)
+      act(nodes.storage.index(behind, row), nodes.storage.index(before, row), mirror_of(wall));
+  };
+  if (box.first_row < NodeStorage::padding)
+    for (int column = box.first_column; column < box.last_column; ++column)
+      act(nodes.storage.index(column, NodeStorage::padding - 1), nodes.storage.index(column, NodeStorage::padding + 1),
+          mirror_of(settings.boundaries.base));
+  const int left = NodeStorage::padding;
+  const int right = settings.grid.cells_x + NodeStorage::padding;
+  columns(left - 1, left + 1, settings.boundaries.left);
+  columns(right + 1, right - 1, settings.boundaries.right);
+}
+
+static void fold_pairs(std::vector<double>& pairs, std::size_t behind, std::size_t before, Mirror mirror) {
+  pairs[2 * before] += mirror.x * pairs[2 * behind];
+  pairs[2 * before + 1] += mirror.y * pairs[2 * behind + 1];
+  pairs[2 * behind] = pairs[2 * behind + 1] = 0;
+}
+
+static void reflect_pairs(std::vector<double>& pairs, std::size_t behind, std::size_t before, Mirror mirror) {
+  pairs[2 * behind] = mirror.x * pairs[2 * before];
+  pairs[2 * behind + 1] = mirror.y * pairs[2 * before + 1];
+}
+
+// ---- walls and base as constraints --------------------------------------------------------------------------------------
+
+/// Calls act(node) for the nodes on the left wall, on the right wall, and on the base.
+template <class Act>
+static void for_nodes_of_column(const Nodes& nodes, const NodeBox& box, int column, Act act) {
+  if (column < box.first_column || column >= box.last_column) return;
+  for (int row = box.first_row; row < box.last_row; ++row) act(nodes.storage.index(column, row));
+}
+template <class Act>
+static void for_nodes_left(const Nodes& nodes, const NodeBox& box, Act act) {
+  for_nodes_of_column(nodes, box, NodeStorage::padding, act);
+}
+template <class Act>
+static void for_nodes_right(const Nodes& nodes, const NodeBox& box, const GridShape& grid, Act act) {
+  for_nodes_of_column(nodes, box, grid.cells_x + NodeStorage::padding, act);
+}
+template <class Act>
+static void for_nodes_on_base(const Nodes& nodes, const NodeBox& box, Act act) {
+  if (box.first_row > NodeStorage::padding) return;
+  for (int column = box.first_column; column < box.last_column; ++column) act(nodes.storage.index(column, NodeStorage::padding));
+}
+
+/// A node's velocity as the boundaries see it.
+struct NodeVelocity {
+  double& x;
+  double& y;
+};
+
+static NodeVelocity velocity_of(std::vector<double>& pairs, std::size_t node) { return {pairs[2 * node], pairs[2 * node + 1]}; }
+
+static void hold_at_wall(NodeVelocity velocity, Wall wall) {
+  if (wall == Wall::open) return;
+  velocity.x = 0;
+  if (wall == Wall::stick) velocity.y = 0;
+}
+
+static void hold_at_base(NodeVelocity velocity, BaseContact contact) {
+  if (contact == BaseContact::stick) velocity.x = 0;
+  if (contact != BaseContact::unilateral || velocity.y < 0) velocity.y = 0;
+}
+
+/// Velocity along the base after Coulomb friction under the normal velocity change `pressed` >= 0.
+static double rubbed(double along, double pressed, double friction) {
+  return std::copysign(std::max(0.0, std::abs(along) - friction * pressed), along);
+}
+
+/// v = momentum / m + dv, dv = dt (f / m + g), in place.
+static void balance_momentum(Nodes& nodes, const NodeBox& box, Vec2 gravity, const NodeSettings& settings) {
+  for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
+    const double* mass = nodes.mass.data() + first;
+    double* velocity = nodes.velocity.data() + 2 * first;
+    double* change = nodes.change.data() + 2 * first;
+    for (std::size_t k = 0; k < count; ++k) {
+      const bool is_filled = mass[k] > settings.least_mass;
+      const double inverse = is_filled ? 1 / mass[k] : 0;
+      const double fall = is_filled ? settings.step : 0;
+      change[2 * k] = settings.step * inverse * change[2 * k] + fall * gravity.x;
+      change[2 * k + 1] = settings.step * inverse * change[2 * k + 1] + fall * gravity.y;
+      velocity[2 * k] = velocity[2 * k] * inverse + change[2 * k];
+      velocity[2 * k + 1] = velocity[2 * k + 1] * inverse + change[2 * k + 1];
+    }
+  });
+}
+
+/// Base contact with friction; returns friction's work. Changes of velocity go into `change` too.
+static double touch_base(Nodes& nodes, const NodeBox& box, const NodeSettings& settings) {
+  double work = 0;
+  for_nodes_on_base(nodes, box, [&](std::size_t node) {
+    const NodeVelocity velocity = velocity_of(nodes.velocity, node);
+    const Vec2 free = {velocity.x, velocity.y};
+    hold_at_base(velocity, settings.boundaries.base);
+    if (settings.boundaries.base != BaseContact::stick)
+      velocity.x = rubbed(free.x, std::max(0.0, -free.y), settings.boundaries.base_friction);
+    work += nodes.mass[node] * (free.x - velocity.x) * velocity.x;
+    nodes.change[2 * node] += velocity.x - free.x;
+    nodes.change[2 * node + 1] += velocity.y - free.y;
+  });
+  return work;
+}
+
+/// Walls; changes of velocity go into `change` too.
+static void touch_walls(Nodes& nodes, const NodeBox& box, const NodeSettings& settings) {
+  const auto touch = [&](Wall wall) {
+    return [&nodes, wall](std::size_t node) {
+      const NodeVelocity velocity = velocity_of(nodes.velocity, node);
+      const Vec2 free = {velocity.x, velocity.y};
+      hold_at_wall(velocity, wall);
+      nodes.change[2 * node] += velocity.x - free.x;
+      nodes.change[2 * node + 1] += velocity.y - free.y;
+    };
+  };
+  for_nodes_left(nodes, box, touch(settings.boundaries.left));
+  for_nodes_right(nodes, box, settings.grid, touch(settings.boundaries.right));
+}
+
+NodeEnergies update_velocities(Nodes& nodes, const NodeBox& box, Vec2 gravity, const NodeSettings& settings) {
+  for_each_image(nodes, box, settings, [&](std::size_t behind, std::size_t before, Mirror mirror) {
+    nodes.mass[before] += nodes.mass[behind];
+    nodes.mass[behind] = 0;
+    fold_pairs(nodes.velocity, behind, before, mirror);
+    fold_pairs(nodes.change, behind, before, mirror);
+  });
+  balance_momentum(nodes, box, gravity, settings);
+  touch_walls(nodes, box, settings);
+  NodeEnergies energies;
+  energies.friction_work = touch_base(nodes, box, settings);
+  for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
+    const double* mass = nodes.mass.data() + first;
+    const double* velocity = nodes.velocity.data() + 2 * first;
+    double work = 0;
+    double kinetic = 0;
+#pragma omp simd reduction(+ : work, kinetic)
+    for (std::size_t k = 0; k < count; ++k) {
+      work += mass[k] * (gravity.x * velocity[2 * k] + gravity.y * velocity[2 * k + 1]);
+      kinetic += mass[k] * (velocity[2 * k] * velocity[2 * k] + velocity[2 * k + 1] * velocity[2 * k + 1]);
+    }
+    energies.gravity_work += settings.step * work;
+    energies.kinetic += 0.5 * kinetic;
+  });
+  for_each_image(nodes, box, settings, [&](std::size_t behind, std::size_t before, Mirror mirror) {
+    reflect_pairs(nodes.velocity, behind, before, mirror);
+    reflect_pairs(nodes.change, behind, before, mirror);
+  });
+  return energies;
+}
+
+void update_new_velocities(Nodes& nodes, const NodeBox& box, const NodeSettings& settings) {
+  for_each_image(nodes, box, settings,
+                 [&](std::size_t behind, std::size_t before, Mirror mirror) { fold_pairs(nodes.new_velocity, behind, before, mirror); });
+  for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
+    const double* mass = nodes.mass.data() + first;
+    double* velocity = nodes.new_velocity.data() + 2 * first;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double inverse = mass[k] > settings.least_mass ? 1 / mass[k] : 0;
+      velocity[2 * k] *= inverse;
+      velocity[2 * k + 1] *= inverse;
+    }
+  });
+  const auto hold = [&](Wall wall) {
+    return [&nodes, wall](std::size_t node) { hold_at_wall(velocity_of(nodes.new_velocity, node), wall); };
+  };
+  for_nodes_left(nodes, box, hold(settings.boundaries.left));
+  for_nodes_right(nodes, box, settings.grid, hold(settings.boundaries.right));
+  for_nodes_on_base(nodes, box, [&](std::size_t node) { hold_at_base(velocity_of(nodes.new_velocity, node), settings.boundaries.base); });
+  for_each_image(nodes, box, settings,
+                 [&](std::size_t behind, std::size_t before, Mirror mirror) { reflect_pairs(nodes.new_velocity, behind, before, mirror); });
+}
+
+}  // namespace slidezone

@@ -1,0 +1,62 @@
+// The nodes of the background grid during a step, and what happens on them between the two sweeps: momentum balance,
+// boundaries and base contact.
+//
+// Pairs (x, y) node after node in the order of grid/node_storage.hpp. Arrays are named by what they hold after the update;
+// the sweeps first sum into them what it is made of.
+#pragma once
+
+#include <vector>
+
+#include "core/vec2.hpp"
+#include "grid/node_storage.hpp"
+#include "mpm/settings.hpp"
+
+namespace slidezone {
+
+struct Nodes {
+  explicit Nodes(NodeStorage where);
+
+  NodeStorage storage;
+  std::vector<double> mass;          // kg/m
+  std::vector<double> velocity;      // m/s; summed as momentum
+  std::vector<double> change;        // m/s, change of velocity over the step; summed as internal force
+  std::vector<double> new_velocity;  // m/s, of the moved points; summed as their momentum
+};
+
+/// Work and energy of one step, J/m.
+struct NodeEnergies {
+  double gravity_work = 0;
+  double friction_work = 0;  // taken from the soil, >= 0
+  double kinetic = 0;        // of the node velocities
+};
+
+/// Nodes lighter than this part of a point's mass carry no velocity: the quotients there are noise.
+inline constexpr double least_mass_fraction = 1e-9;
+
+/// What the node updates need beside the nodes.
+struct NodeSettings {
+  GridShape grid;
+  Boundaries boundaries;
+  double least_mass = 0;  // kg/m
+  double step = 0;        // s
+};
+
+/// Clears the sums of sweep A, or of sweep B, in the box.
+void clear_sums(Nodes& nodes, const NodeBox& box);
+void clear_new_sums(Nodes& nodes, const NodeBox& box);
+
+/// velocity = momentum / mass + change with change = dt (force / mass + gravity), then boundaries: a velocity that a wall
+/// or the base forbids is taken away, and the base takes the friction impulse, at most mu times the normal impulse
+/// max(0, -m v_y) of the unhindered motion (Coulomb; once per step).
+/// Friction's work is the impulse times the velocity that is left: with the mean of before and after, soil at rest would
+/// seem to heat the base.
+///
+/// Walls and base are mirrors: what points map to the padding nodes behind one is folded onto the nodes in front, with the
+/// normal component turned round, and the padding nodes move as mirror images. Without this a point whose domain
+/// reaches through the base would still be carried by the first node above it, and would sink through.
+NodeEnergies update_velocities(Nodes& nodes, const NodeBox& box, Vec2 gravity, const NodeSettings& settings);
+
+/// new_velocity = momentum / mass, without what walls and base forbid; friction acted in update_velocities already.
+void update_new_velocities(Nodes& nodes, const NodeBox& box, const NodeSettings& settings);
+
+}  // namespace slidezone

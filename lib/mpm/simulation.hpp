@@ -1,0 +1,83 @@
+// One run of the material point method: the time loop around the two sweeps (MUSL, GIMP), with its guards.
+//
+// Step limit: dt <= min(cell) / c with c = sqrt(M / rho) the speed of plane waves and M the constrained modulus.
+// Energy audit: work of gravity = internal work + friction work + kinetic energy of the points. What does not close is the
+// error; it is the guard that sees an unstable step while all numbers still look plausible.
+// Rest: kinetic energy on the grid (that of the points never vanishes: part of it is null-space noise of the
+// interpolation) below a fraction of its peak.
+// Ends: `diverged` names point, step and time; a point outside the grid ends the run as `left_domain`.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grid/grid_shape.hpp"
+#include "mpm/points.hpp"
+#include "mpm/settings.hpp"
+#include "mpm/sweeps.hpp"
+#include "soil/material.hpp"
+
+namespace slidezone {
+
+/// Everything that a run starts from.
+struct Model {
+  GridShape grid;
+  double point_spacing_x = 0;  // m; a point's domain
+  double point_spacing_y = 0;
+  std::vector<Material> soils;
+  Points points;
+  Boundaries boundaries;
+  Gravity gravity;
+  TimeStepping time;
+};
+
+enum class Ending { at_end, at_rest, left_domain, diverged };
+
+struct EnergyAudit {
+  double gravity_work = 0;  // J/m
+  double internal_work = 0;
+  double friction_work = 0;
+  double kinetic = 0;  // of the points, less what they began with
+
+  double missing() const { return gravity_work - internal_work - friction_work - kinetic; }
+  /// Part of gravity's work that does not close.
+  double error() const;
+};
+
+struct Outcome {
+  Ending ending = Ending::at_end;
+  std::uint64_t steps = 0;
+  double time = 0;                                              // s
+  double rest_time = std::numeric_limits<double>::quiet_NaN();  // s, when motion ended for good; nan if it did not
+  EnergyAudit energy;
+  std::string trouble;  // which point, step and time, where the run diverged or left the grid
+  Points points;        // in the order of Model::points
+};
+
+/// What an observer is shown after every step.
+struct Moment {
+  std::uint64_t step;
+  std::uint64_t last_step;
+  double time;
+  const std::function<Points()>& points;  // a copy with the step completed; costs, so ask only when needed
+};
+using Observer = std::function<void(const Moment&)>;
+
+/// Longest stable step, s.
+double step_limit(const Model& model);
+
+/// The step that the run takes: as the scene says, or its fraction of the limit. Throws Error(ExitCode::data) for a step
+/// beyond the limit.
+double time_step(const Model& model);
+
+/// Which parts of the soil model the run needs.
+SoilTraits soil_traits(const Model& model);
+
+/// Runs the model. `set` is for tests and benchmarks; the best is the default.
+Outcome simulate(Model model, const Observer& observer = {}, std::optional<InstructionSet> set = {});
+
+}  // namespace slidezone

@@ -1,0 +1,64 @@
+// The two sweeps over material points of one MUSL step (modified update stress last; Sulsky, Zhou and Schreyer 1995), fused
+// so that nothing but six numbers a point passes between them.
+//
+//   sweep A   velocity gradient from the last step's node velocities, stress (Jaumann rate, Drucker-Prager), move;
+//             then mass, momentum and internal force to the nodes
+//   (nodes)   momentum and force -> velocity and its change: node_update.hpp
+//   sweep B   velocity change and movement from the nodes; then the new momentum to the nodes
+//   (nodes)   new momentum -> node velocities, for the next sweep A
+//
+// Compiled once for each instruction set from one source and chosen when the run starts. Raw pointers because the sweeps may
+// share no inline function with code compiled for another instruction set.
+#pragma once
+
+#include <cstddef>
+
+#include "grid/node_storage.hpp"
+#include "soil/drucker_prager.hpp"
+
+namespace slidezone {
+
+/// What the sweeps read and write; arrays as in points.hpp and nodes.hpp, whose layout grid/node_storage.hpp gives.
+struct SweepData {
+  // points
+  std::size_t point_count;
+  double *x, *y, *velocity, *movement;
+  double *xx, *yy, *zz, *xy, *volume, *plastic_strain;
+  const double *mass, *peak_cohesion;
+  const int* soil;
+  const SoilConstants* soils;
+  // nodes
+  double *node_mass, *node_momentum, *node_force;  // written by sweep A
+  const double *node_velocity, *node_change;       // v and dt a after the node update, read by sweep B
+  double* node_new_momentum;                       // written by sweep B
+  const double* node_new_velocity;                 // read by the next sweep A
+  NodeStorage storage;
+  NodeBox box;  // the nodes that points may reach; they are zeroed before sweep A
+  // geometry
+  GridShape grid;
+  double half_size_x, half_size_y;  // of a point's domain, in cells; 0 for linear shape functions
+  double step;                      // s
+};
+
+/// What sweep A saw, over all points.
+struct SweepReport {
+  double internal_work = 0;  // J/m: stress times strain increment times volume
+  NodeBox box;               // the nodes that points reach now
+  bool is_broken = false;    // some point lies outside data.box, has no positive volume, or is not finite
+};
+
+enum class InstructionSet { baseline, avx2, avx512 };
+
+/// The best that this processor has.
+InstructionSet best_instruction_set();
+
+/// The sweeps for one instruction set and one combination of soil traits.
+struct Sweeps {
+  SweepReport (*update_and_map)(const SweepData&);  // sweep A
+  SweepReport (*update)(const SweepData&);          // sweep A without the map to the nodes: ends a run
+  void (*gather_and_map)(const SweepData&);         // sweep B
+};
+
+Sweeps sweeps(InstructionSet set, SoilTraits traits);
+
+}  // namespace slidezone

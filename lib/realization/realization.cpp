@@ -1,0 +1,178 @@
+#include "realization/realization.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "io/hdf5_image.hpp"
+#include "io/table.hpp"
+#include "io/vtkhdf.hpp"
+#include "reach/reach.hpp"
+
+namespace slidezone {
+
+// ---- from a scene to a model ------------------------------------------------------------------------------------------------
+
+static void check_points(const std::vector<double>& found, const std::vector<double>& expected, const std::string& name, const char* axis) {
+  if (found.size() != expected.size())
+    throw Error(ExitCode::data, name + ": found " + std::to_string(found.size()) + " material points, the scene has " +
+                                    std::to_string(expected.size()) + "; was it made from another scene?");
+  for (std::size_t p = 0; p < found.size(); ++p) {
+    if (std::abs(found[p] - expected[p]) <= 1e-9 * (1 + std::abs(expected[p]))) continue;
+    throw Error(ExitCode::data, name + ": point " + std::to_string(p) + " has " + axis + " = " + format_real(found[p]) +
+                                    " m, the scene has " + format_real(expected[p]) + " m; was it made from another scene?");
+  }
+}
+
+FieldSample field_sample(std::string_view image, const std::string& name, const MaterialPoints& points, std::uint64_t realization) {
+  const Hdf5Reader file(image, name, "slidezone-points 1");
+  check_points(file.reals("x"), points.x, name, "x");
+  check_points(file.reals("y"), points.y, name, "y");
+  const std::vector<std::int64_t> numbers = file.integers("realization");
+  const auto found = std::find(numbers.begin(), numbers.end(), static_cast<std::int64_t>(realization));
+  if (found == numbers.end())
+    throw Error(ExitCode::data,
+                name + ": holds no sample " + std::to_string(realization) +
+                    (numbers.empty() ? "" : ", only " + std::to_string(numbers.front()) + " to " + std::to_string(numbers.back())));
+  const auto index = static_cast<std::size_t>(found - numbers.begin());
+  FieldSample sample;
+  sample.realization = realization;
+  sample.cohesion = file.reals("cohesion", index);
+  sample.floored = static_cast<std::uint64_t>(file.integers("floored").at(index));
+  return sample;
+}
+
+/// Geostatic stress, column by column from the top; points come column by column from the base up.
+static void start_from_k0(Model& model) {
+  const Points& points = model.points;
+  const double g = -model.gravity.acceleration.y;
+  double above = 0;  // stress by the points above, Pa
+  for (std::size_t p = points.count(); p-- > 0;) {
+    const bool is_top = p + 1 == points.count() || points.x[p + 1] != points.x[p];
+    if (is_top) above = 0;
+    const Material& soil = model.soils[static_cast<std::size_t>(points.soil[p])];
+    const double own = soil.density * g * model.point_spacing_y;
+    const double k0 = model.gravity.k0.value_or(soil.poisson_ratio / (1 - soil.poisson_ratio));
+    model.points.yy[p] = -(above + 0.5 * own);
+    model.points.xx[p] = model.points.zz[p] = k0 * points.yy[p];
+    above += own;
+  }
+}
+
+Model model_of(const Scene& scene, const MaterialPoints& points, const std::optional<FieldSample>& sample) {
+  Model model;
+  model.grid = scene.discretization.grid;
+  model.point_spacing_x = points.spacing_x;
+  model.point_spacing_y = points.spacing_y;
+  for (const Layer& layer : scene.layers) model.soils.push_back(layer.material);
+  model.boundaries = scene.boundaries;
+  model.gravity = scene.gravity;
+  model.time = scene.time;
+  model.points = points_at_rest(points.x.size());
+  model.points.x = points.x;
+  model.points.y = points.y;
+  model.points.soil = points.layer;
+  const double volume = points.spacing_x * points.spacing_y;
+  for (std::size_t p = 0; p < points.x.size(); ++p) {
+    const Material& soil = model.soils[static_cast<std::size_t>(points.layer[p])];
+    model.points.volume[p] = volume;
+    model.points.mass[p] = soil.density * volume;
+    model.points.peak_cohesion[p] = std::max(sample ? sample->cohesion[p] : soil.peak_cohesion, soil.residual_cohesion);
+  }
+  if (scene.gravity.protocol == GravityProtocol::k0) start_from_k0(model);
+  return model;
+}
+
+// ---- from a run to its row ----------------------------------------------------------------------------------------------------
+
+static Status status_of(const Outcome& outcome, bool has_slid) {
+  if (outcome.ending == Ending::diverged || !(std::abs(outcome.energy.error()) < energy_error_failure)) return Status::diverged;
+  if (outcome.ending == Ending::left_domain) return Status::left_domain;
+  return has_slid ? Status::slid : Status::stable;
+}
+
+Row row_of(const Scene& scene, const MaterialPoints& points, const std::optional<FieldSample>& sample, const Outcome& outcome) {
+  Row row;
+  row.realization = sample ? sample->realization : 0;
+  row.floored = sample ? sample->floored : 0;
+  row.steps = outcome.steps;
+  row.energy_error = outcome.energy.error();
+  row.rest_time = outcome.rest_time;
+  row.influence = row.influence_1m = row.runout = row.runout_max = row.displaced_area = std::numeric_limits<double>::quiet_NaN();
+  row.status = Status::diverged;
+  if (outcome.ending == Ending::diverged) return row;
+
+  const Reach reached = reach({outcome.points.x, outcome.points.y, points.x, points.y},
+                              {scene.slope.crest, scene.slope.toe, scene.discretization.grid.cell_x, scene.discretization.grid.cell_y,
+                               points.spacing_x, points.spacing_y, scene.output.influence_drop, scene.output.slid_displacement});
+  row.status = status_of(outcome, reached.has_slid);
+  if (row.status == Status::diverged) return row;
+  row.influence = reached.influence;
+  row.influence_1m = reached.influence_1m;
+  row.runout = reached.runout;
+  row.runout_max = reached.runout_max;
+  row.displaced_area = reached.displaced_area;
+  return row;
+}
+
+// ---- files on request ---------------------------------------------------------------------------------------------------------
+
+static std::vector<double> displacements(const MaterialPoints& initial, const Points& now) {
+  std::vector<double> distance(now.count());
+  for (std::size_t p = 0; p < now.count(); ++p) distance[p] = std::hypot(now.x[p] - initial.x[p], now.y[p] - initial.y[p]);
+  return distance;
+}
+
+static std::vector<double> component(const std::vector<double>& pairs, std::size_t which) {
+  std::vector<double> values;
+  for (std::size_t k = which; k < pairs.size(); k += 2) values.push_back(pairs[k]);
+  return values;
+}
+
+std::string state_file(const MaterialPoints& initial, const Points& now, const Provenance& provenance) {
+  const std::vector<double> displacement = displacements(initial, now);
+  const std::vector<double> velocity_x = component(now.velocity, 0);
+  const std::vector<double> velocity_y = component(now.velocity, 1);
+  const std::vector<double> layer(now.soil.begin(), now.soil.end());
+  return vtkhdf_points(now.x, now.y,
+                       {{"displacement", displacement},
+                        {"initial_x", initial.x},
+                        {"initial_y", initial.y},
+                        {"layer", layer},
+                        {"peak_cohesion", now.peak_cohesion},
+                        {"plastic_strain", now.plastic_strain},
+                        {"stress_xx", now.xx},
+                        {"stress_xy", now.xy},
+                        {"stress_yy", now.yy},
+                        {"stress_zz", now.zz},
+                        {"velocity_x", velocity_x},
+                        {"velocity_y", velocity_y}},
+                       provenance);
+}
+
+std::string points_table(const MaterialPoints& initial, const Points& now, const Provenance& provenance) {
+  const std::vector<double> displacement = displacements(initial, now);
+  Table table({"x_m", "y_m", "x0_m", "y0_m", "plastic_strain", "displacement_m", "peak_cohesion_pa", "layer"});
+  for (std::size_t p = 0; p < now.count(); ++p)
+    table.add_row({format_real(now.x[p]), format_real(now.y[p]), format_real(initial.x[p]), format_real(initial.y[p]),
+                   format_real(now.plastic_strain[p]), format_real(displacement[p]), format_real(now.peak_cohesion[p]),
+                   std::to_string(now.soil[p])});
+  return to_tsv(table, provenance);
+}
+
+std::string profile_table(const Scene& scene, const MaterialPoints& initial, const Points& now, const Provenance& provenance) {
+  const double width = scene.discretization.grid.cell_x;
+  const std::vector<double> before = column_tops(initial.x, initial.y, width, initial.spacing_y);
+  const std::vector<double> after = column_tops(now.x, now.y, width, initial.spacing_y);
+  const auto top = [](const std::vector<double>& tops, std::size_t column) {
+    return format_real(column < tops.size() ? tops[column] : std::numeric_limits<double>::quiet_NaN());
+  };
+  Table table({"x_m", "surface_m", "initial_m"});
+  for (std::size_t column = 0; column < std::max(before.size(), after.size()); ++column)
+    table.add_row({format_real((static_cast<double>(column) + 0.5) * width), top(after, column), top(before, column)});
+  return to_tsv(table, provenance);
+}
+
+}  // namespace slidezone

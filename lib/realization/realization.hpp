@@ -1,0 +1,43 @@
+// One realization: from a scene, and the strength of one field sample where there is one, to a finished run and its row.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mpm/simulation.hpp"
+#include "rows/row.hpp"
+#include "scene/scene.hpp"
+
+namespace slidezone {
+
+/// The field values of one sample at the scene's material points, as rfmap wrote them.
+struct FieldSample {
+  std::uint64_t realization = 0;
+  std::vector<double> cohesion;  // peak cohesion of each point, Pa
+  std::uint64_t floored = 0;     // values that rfgen raised to the residual strength
+};
+
+/// Takes sample `realization` out of the image of a points file; `name` is its name in messages. Throws if the file's points
+/// are not those of the scene, or if it does not hold that sample.
+FieldSample field_sample(std::string_view image, const std::string& name, const MaterialPoints& points, std::uint64_t realization);
+
+/// The model that a scene describes. Peak cohesions below a layer's residual cohesion are raised to it (such points would
+/// harden). K0 start: vertical stress by the weight of the points above in the same column, horizontal k0 times that.
+Model model_of(const Scene& scene, const MaterialPoints& points, const std::optional<FieldSample>& sample);
+
+/// The energy balance is judged by these parts of gravity's work: beyond the first the row deserves a warning, beyond the
+/// second the run counts as diverged.
+inline constexpr double energy_error_warning = 0.02;
+inline constexpr double energy_error_failure = 0.05;
+
+/// The row of a finished run. Distances are nan for a diverged one.
+Row row_of(const Scene& scene, const MaterialPoints& points, const std::optional<FieldSample>& sample, const Outcome& outcome);
+
+/// The final state for ParaView and VTK, as a table of points, and the surface as a table; see data-schemas/.
+std::string state_file(const MaterialPoints& initial, const Points& now, const Provenance& provenance);
+std::string points_table(const MaterialPoints& initial, const Points& now, const Provenance& provenance);
+std::string profile_table(const Scene& scene, const MaterialPoints& initial, const Points& now, const Provenance& provenance);
+
+}  // namespace slidezone

@@ -1,0 +1,80 @@
+#include "reach/reach.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace slidezone {
+namespace {
+
+/// A slope of 4 x 2 m, points every 0.5 m in cells of 1 m: crest at x = 3, toe at x = 4.
+struct Lattice {
+  std::vector<double> x, y, x0, y0;
+  Lattice() {
+    for (int i = 0; i < 8; ++i)
+      for (int j = 0; j < 4; ++j) {
+        x.push_back(0.25 + 0.5 * i);
+        y.push_back(0.25 + 0.5 * j);
+      }
+    x0 = x;
+    y0 = y;
+  }
+  Reach measured() const {
+    return reach({x, y, x0, y0}, {.crest = {3, 2}, .toe = {4, 0}, .cell_x = 1, .cell_y = 1, .spacing_x = 0.5, .spacing_y = 0.5});
+  }
+};
+
+TEST(Reach, IsZeroWhereNothingMoved) {
+  const Reach reached = Lattice().measured();
+  EXPECT_FALSE(reached.has_slid);
+  EXPECT_EQ(reached.runout, 0);
+  EXPECT_EQ(reached.influence, 0);
+  EXPECT_EQ(reached.displaced_area, 0);
+}
+
+TEST(Reach, IgnoresSettlementOfTheWholeSlope) {
+  Lattice points;
+  for (double& y : points.y) y *= 0.6;  // the top settles by 0.7 m everywhere
+  EXPECT_EQ(points.measured().influence, 0);
+}
+
+TEST(Reach, MeasuresTheFrontOfTheBodyThatHangsTogether) {
+  Lattice points;
+  points.x[31] = 4.3;  // the next cell still touches the body
+  points.y[31] = 0.25;
+  points.x[30] = 9.6;  // thrown ahead
+  const Reach reached = points.measured();
+  EXPECT_TRUE(reached.has_slid);
+  EXPECT_DOUBLE_EQ(reached.runout, 4.3 + 0.25 - 4);
+  EXPECT_DOUBLE_EQ(reached.runout_max, 9.6 + 0.25 - 4);
+  EXPECT_DOUBLE_EQ(reached.displaced_area, 2 * 0.25);
+}
+
+TEST(Reach, MeasuresInfluenceFromTheCrestBack) {
+  Lattice points;
+  for (std::size_t p = 0; p < points.x.size(); ++p)
+    if (points.x[p] > 2) points.y[p] *= 0.65;  // the columns beyond x = 2 lose 0.6 m
+  const Reach reached = points.measured();
+  EXPECT_DOUBLE_EQ(reached.influence, 1.0);  // crest at 3, first failed column starts at 2
+  EXPECT_EQ(reached.influence_1m, 0);
+}
+
+TEST(Reach, CountsAnEmptyColumnAsFailed) {
+  Lattice points;
+  for (std::size_t p = 0; p < points.x.size(); ++p)
+    if (points.x[p] > 1) points.x[p] += 3;
+  EXPECT_DOUBLE_EQ(points.measured().influence, 2.0);
+}
+
+TEST(ColumnTops, SayWhereThereIsNothing) {
+  const std::vector<double> x = {0.5, 2.5};
+  const std::vector<double> y = {1, 2};
+  const std::vector<double> tops = column_tops(x, y, 1, 0.5);
+  ASSERT_EQ(tops.size(), 3u);
+  EXPECT_EQ(tops[0], 1.25);
+  EXPECT_TRUE(std::isnan(tops[1]));
+}
+
+}  // namespace
+}  // namespace slidezone

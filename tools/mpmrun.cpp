@@ -1,0 +1,146 @@
+// mpmrun: fails one slope once with the material point method.
+//
+//   scene.toml [+ points.h5 of rfmap] -> one row (influence, runout, status, audit); states and tables on request
+//   mpmrun pipelines/benchmark/scene.toml
+//
+// Schemas: scene.schema.json, points.json, row.json, state.json, table.json, profile.json in data-schemas/.
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/progress.hpp"
+#include "core/provenance.hpp"
+#include "core/text.hpp"
+#include "core/tool.hpp"
+#include "io/file.hpp"
+#include "io/units.hpp"
+#include "io/vtkhdf.hpp"
+#include "realization/realization.hpp"
+
+namespace slidezone {
+
+struct Options {
+  std::string scene;
+  std::string points;
+  std::uint64_t sample = 1;
+  std::string output = "-";
+  std::string state;
+  std::string table;
+  std::string profile;
+  std::string frames;
+  std::string every = "1 s";
+};
+
+/// What every file of this run says of itself.
+static Provenance run_provenance(const std::string& schema, const Scene& scene, const std::string& points_checksum) {
+  Provenance result = provenance(schema, "mpmrun");
+  result.details.emplace_back("scene", scene.checksum);
+  if (!points_checksum.empty()) result.details.emplace_back("points", points_checksum);
+  return result;
+}
+
+/// Writes the state every so often into a folder, with an index that ParaView plays.
+class FrameWriter {
+ public:
+  FrameWriter(const std::string& folder, double every, const MaterialPoints& initial, const Provenance& provenance)
+      : folder_(folder), every_(every), initial_(initial), provenance_(provenance) {
+    std::error_code error;
+    std::filesystem::create_directories(folder_, error);
+    if (error) throw Error(ExitCode::cannot_create, folder + ": cannot be created: " + error.message());
+  }
+
+  void see(const Moment& moment) {
+    if (moment.time + 1e-9 < every_ * static_cast<double>(frames_.size() + 1)) return;
+    const std::string number = std::to_string(frames_.size() + 1);
+    const std::string file = "frame-" + std::string(6 - std::min<std::size_t>(6, number.size()), '0') + number + ".hdf";
+    write_output(folder_ / file, state_file(initial_, moment.points(), provenance_));
+    frames_.push_back({file, moment.time});
+    write_output(folder_ / "frames.hdf.series", vtkhdf_series(frames_));
+  }
+
+ private:
+  std::filesystem::path folder_;
+  double every_;
+  const MaterialPoints& initial_;
+  const Provenance& provenance_;
+  std::vector<Frame> frames_;
+};
+
+static double frame_interval(const std::string& every) {
+  try {
+    const double interval = parse_quantity(every, "s");
+    if (interval > 0) return interval;
+  } catch (const std::invalid_argument& error) {
+    throw Error(ExitCode::usage, std::string("--every ") + error.what());
+  }
+  throw Error(ExitCode::usage, "--every wants a time above 0, found \"" + every + "\"");
+}
+
+static void report_trouble(const Row& row, const Outcome& outcome) {
+  const std::string percent = format_brief(100 * std::abs(row.energy_error), 3) + " % of the work of gravity";
+  if (!outcome.trouble.empty())
+    warn((outcome.ending == Ending::diverged ? "diverged: " : "left the domain: ") + outcome.trouble);
+  else if (row.status == Status::diverged)
+    warn("diverged: the energy balance misses " + percent + " after step " + std::to_string(outcome.steps) + ", time " +
+         format_brief(outcome.time) + " s; take a smaller time step");
+  else if (std::abs(row.energy_error) > energy_error_warning)
+    warn("the energy balance misses " + percent + "; take a smaller time step");
+}
+
+static void run(const Options& options) {
+  const Scene scene = read_scene(options.scene, {.grid = true, .soil = true, .time = true});
+  const MaterialPoints points = material_points(scene);
+  std::optional<FieldSample> sample;
+  std::string points_checksum;
+  if (!options.points.empty()) {
+    const std::string image = read_input(options.points);
+    points_checksum = checksum(image);
+    sample = field_sample(image, input_name(options.points), points, options.sample);
+  }
+  const Provenance state_provenance = run_provenance("slidezone-state 1", scene, points_checksum);
+  std::optional<FrameWriter> frames;
+  if (!options.frames.empty()) frames.emplace(options.frames, frame_interval(options.every), points, state_provenance);
+
+  Progress progress("mpmrun", is_quiet() ? Progress::Show::never : Progress::Show::on_terminal);
+  const Outcome outcome = simulate(model_of(scene, points, sample), [&](const Moment& moment) {
+    progress.update(static_cast<double>(moment.step) / static_cast<double>(moment.last_step), format_brief(moment.time, 3) + " s");
+    if (frames) frames->see(moment);
+  });
+
+  const Row row = row_of(scene, points, sample, outcome);
+  report_trouble(row, outcome);
+  if (!options.state.empty()) write_output(options.state, state_file(points, outcome.points, state_provenance));
+  if (!options.table.empty())
+    write_output(options.table, points_table(points, outcome.points, run_provenance("slidezone-table 1", scene, points_checksum)));
+  if (!options.profile.empty())
+    write_output(options.profile,
+                 profile_table(scene, points, outcome.points, run_provenance("slidezone-profile 1", scene, points_checksum)));
+  write_output(options.output, to_tsv(row, run_provenance(std::string(row_schema), scene, points_checksum)));
+}
+
+}  // namespace slidezone
+
+int main(int argc, char** argv) {
+  using namespace slidezone;
+  Options options;
+  CLI::App app(
+      "Fail one slope once with the material point method and print one row: influence and runout distance, status,\n"
+      "energy balance. Without --points every soil has its scene's strength everywhere (realization 0).",
+      "mpmrun");
+  app.add_option("scene", options.scene, "Scene file; - for stdin")->required();
+  app.add_option("-o,--output", options.output, "The row, as TSV; - for stdout")->capture_default_str();
+  CLI::Option* points = app.add_option("--points", options.points, "Field samples at the material points, from rfmap; - for stdin");
+  app.add_option("--sample", options.sample, "Number of the sample in --points")
+      ->check(whole_number(1))
+      ->capture_default_str()
+      ->needs(points);
+  app.add_option("--state", options.state, "Final state of all points, VTKHDF for ParaView and VTK (name it .hdf)");
+  app.add_option("--table", options.table, "Final state of all points, as TSV");
+  app.add_option("--profile", options.profile, "Ground surface before and after, as TSV");
+  CLI::Option* frames = app.add_option("--frames", options.frames, "Folder for states during the run, VTKHDF with an index for ParaView");
+  app.add_option("--every", options.every, "Time between frames, with its unit")->capture_default_str()->needs(frames);
+  return tool_main(app, "mpmrun pipelines/benchmark/scene.toml", argc, argv, [&] { run(options); });
+}
