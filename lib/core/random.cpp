@@ -66,6 +66,15 @@ std::uint32_t purpose(std::string_view name) {
   return hash;
 }
 
+void fill_words(std::span<std::uint64_t> words, RandomStream stream) {
+  Words drawn;
+  for (std::size_t first = 0; first < words.size(); first += 2 * batch) {
+    const std::size_t count = std::min(2 * batch, words.size() - first);
+    draw(drawn, stream, first / 2, (count + 1) / 2);
+    for (std::size_t i = 0; i < count; ++i) words[first + i] = i % 2 == 0 ? drawn.radius[i / 2] : drawn.angle[i / 2];
+  }
+}
+
 void fill_normals(std::span<double> normals, RandomStream stream) {
   Words words;
   const std::size_t pairs = normals.size() / 2;

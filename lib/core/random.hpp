@@ -26,6 +26,9 @@ struct RandomStream {
 /// The number of a purpose from its name, e.g. "cohesion": the 32-bit FNV-1a hash.
 std::uint32_t purpose(std::string_view name);
 
+/// The words w1 w0, w3 w2 of blocks 0, 1, ... of the stream, 64 evenly distributed bits each: for choices and resampling.
+void fill_words(std::span<std::uint64_t> words, RandomStream stream);
+
 /// Standard normal numbers 0, 1, 2, ... of the stream.
 void fill_normals(std::span<double> normals, RandomStream stream);
 

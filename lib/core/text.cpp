@@ -26,6 +26,7 @@ std::optional<std::uint64_t> parse_whole(std::string_view text) {
 }
 
 std::string format_real(double value) {
+  if (std::isnan(value)) return "nan";  // whatever its sign
   std::array<char, 32> buffer;
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   return {buffer.data(), end};

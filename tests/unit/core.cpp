@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/provenance.hpp"
+#include "core/round_step.hpp"
 #include "core/text.hpp"
 
 namespace slidezone {
@@ -27,9 +28,18 @@ TEST(ParseWhole, RefusesWhatCli11WouldMisread) {
 TEST(FormatReal, ReadsBackExactly) {
   for (const double value : {0.1, 1.0 / 3, 1e300, 5e-324, -2.5e-7}) EXPECT_EQ(parse_real(format_real(value)), value);
   EXPECT_EQ(format_real(0.1), "0.1");
+  EXPECT_EQ(format_real(-std::numeric_limits<double>::quiet_NaN()), "nan");
   EXPECT_EQ(format_limit(0.1), "0.1");
   EXPECT_EQ(format_limit(std::numeric_limits<double>::infinity()), "unbounded");
   EXPECT_EQ(format_brief(9.30000001, 3), "9.3");
+}
+
+TEST(RoundStep, IsTheLargestBelowWithDecimalMultiples) {
+  EXPECT_EQ(round_step(0.19).multiple(3), 0.3);
+  EXPECT_EQ(round_step(0.2).multiple(1), 0.2);
+  EXPECT_EQ(round_step(0.07).multiple(6), 0.3);
+  EXPECT_EQ(round_step(1).multiple(7), 7);
+  EXPECT_EQ(round_step(7300).multiple(2), 10000);
 }
 
 TEST(NearestHint, OffersOnlyNearNames) {

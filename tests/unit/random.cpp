@@ -98,6 +98,17 @@ TEST(Random, AnyCountGivesTheSameNumbers) {
     EXPECT_TRUE(std::ranges::equal(normals(count, stream), std::span(all).first(count))) << count;
 }
 
+TEST(Random, WordsAreThoseOfTheBlocks) {
+  std::vector<std::uint64_t> all(600), some(257);
+  fill_words(all, {42, 1, 7});
+  fill_words(some, {42, 1, 7});
+  EXPECT_TRUE(std::ranges::equal(some, std::span(all).first(257)));
+  // The first pair of normals has the radius of word 0.
+  const std::vector<double> pair = normals(2, {42, 1, 7});
+  const double u = (static_cast<double>(all[0] >> 12) + 0.5) * 0x1p-52;
+  EXPECT_NEAR(std::hypot(pair[0], pair[1]), std::sqrt(-2 * std::log(u)), 1e-14);
+}
+
 // ---- the distribution ----
 
 constexpr std::size_t many = 1'000'000;
