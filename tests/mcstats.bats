@@ -29,7 +29,10 @@ refuses() {
 
 @test "a wrong stopping rule is a wrong command line" {
   ladder 3 >rows.tsv
-  for rule in mean=0 mean=nan mean sd=1x ''; do
+  run -64 mcstats rows.tsv --trace --histogram
+  run -64 mcstats rows.tsv --resamples 10
+  run -64 mcstats rows.tsv --seed -3
+  for rule in mean=0 mean=nan mean sd=1x quantile_2=1 ''; do
     run --separate-stderr mcstats rows.tsv --stop "$rule"
     assert_failure 64
   done
@@ -84,6 +87,15 @@ refuses() {
   cat b.tsv a.tsv | mcstats | cmp - whole
 }
 
+@test "another seed moves the bootstrap and nothing else" {
+  ladder 30 >rows.tsv
+  mcstats rows.tsv --seed 2 >second
+  mcstats rows.tsv >first
+  run -1 cmp first second
+  assert_equal "$(value influence_m quantile_0.5 5 <first)" "$(value influence_m quantile_0.5 5 <second)"
+  refute [ "$(value influence_m bootstrap_mean 4 <first)" = "$(value influence_m bootstrap_mean 4 <second)" ]
+}
+
 @test "the table obeys its schema, also of one row and of runs that say nothing" {
   ladder 30 | mcstats >many
   assert_schema statistics many
@@ -94,6 +106,12 @@ refuses() {
   assert_equal "$(value influence_m mean 5 <one)" unbounded
   { row_header; row 1 diverged nan nan; } | mcstats >none
   assert_schema statistics none
+  for rows in 'ladder 30' 'ladder 1' 'row 1 stable 0 0' 'row 1 diverged nan nan'; do
+    for kind in trace histogram densities; do
+      { row_header; $rows; } | mcstats --$kind >$kind
+      assert_schema $kind $kind
+    done
+  done
   assert_equal "$(value influence_m mean <none)" nan
 }
 
@@ -153,6 +171,41 @@ refuses() {
   assert_equal "$(value runout_m exceeds_deterministic <statistics)" 0.1
 }
 
+@test "skewness and kurtosis of 1 ... 1000 are those of a uniform distribution" {
+  ladder 1000 | mcstats >statistics
+  assert_near "$(value runout_m skewness <statistics)" 0 1e-12
+  assert_near "$(value runout_m kurtosis <statistics)" 1.8 1e-5  # 9/5 - 12/5 / (n^2 - 1)
+  assert_between 1.8 "$(value runout_m kurtosis 4 <statistics)" "$(value runout_m kurtosis 5 <statistics)"
+  # Both intervals of the sd hold without a Normal: 2.8882 +- 1.96 * 2.8882 sqrt((1.8 - 1) / 1000) / 2 = 2.8882 +- 0.0801.
+  for statistic in sd bootstrap_sd; do
+    assert_near "$(value runout_m $statistic 4 <statistics)" 2.8081 0.01
+    assert_near "$(value runout_m $statistic 5 <statistics)" 2.9683 0.01
+  done
+  assert_near "$(value runout_m standard_error_of_sd <statistics)" 0.04085 0.0001
+}
+
+@test "the trace ends where the statistics stand" {
+  ladder 200 >rows.tsv
+  mcstats rows.tsv >statistics
+  last=$(mcstats rows.tsv --trace | grep influence_m | tail -1)
+  assert_equal "$(cut -f 2 <<<"$last")" 200
+  assert_equal "$(cut -f 3 <<<"$last")" "$(value influence_m mean <statistics)"
+  assert_equal "$(cut -f 5 <<<"$last")" "$(value influence_m mean 5 <statistics)"
+  assert_equal "$(cut -f 6 <<<"$last")" "$(value influence_m sd <statistics)"
+}
+
+@test "the histogram counts every slide once, over a density of one" {
+  { ladder 200; row 201 stable 0 0; } | mcstats --histogram >histogram
+  awk -F '\t' '$1 == "runout_m" { count += $4; area += $5 * ($3 - $2) } END { exit !(count == 200 && area > 0.999999 && area < 1.000001) }' histogram
+  awk -F '\t' '$1 == "runout_m" { if (high != "" && $2 != high) exit 1; high = $3 }' histogram
+}
+
+@test "densities integrate to one and cumulatives rise to it" {
+  ladder 200 | mcstats --densities >densities
+  awk -F '\t' '$1 == "runout_m" { if (last != "") for (i = 4; i <= 12; i += 2) area[i] += $i * ($2 - last); last = $2; end = $3 }
+    END { for (i in area) if (area[i] < 0.9 || area[i] > 1.001) exit 1; exit end != 1 }' densities
+}
+
 @test "fits and their test: a lognormal of zeros has none" {
   { row_header; row 1 slid 0 1; row 2 slid 0 2; row 3 slid 1 3; } | mcstats >statistics
   assert_equal "$(value influence_m lognormal_zeta <statistics)" nan
@@ -165,10 +218,21 @@ refuses() {
   ladder 1000 >rows.tsv
   mcstats rows.tsv --stop mean=0.17 --stop mean=0.18 --stop paper >statistics
   # Half-width t(0.975, 999) sd / sqrt(1000) = 1.96234 * 2.88820 / 31.6228 = 0.17923.
-  assert_near "$(value runout_m half_width_of_mean <statistics | head -1)" 0.17923 1e-5
+  assert_near "$(value runout_m half_width:mean=0.17 <statistics)" 0.17923 1e-5
   assert_equal "$(value runout_m stop:mean=0.17 <statistics)" 0
   assert_equal "$(value runout_m stop:mean=0.18 <statistics)" 1
   assert_equal "$(value runout_m runs_needed:mean=0.17 <statistics)" 1112
   assert_equal "$(value runout_m stop:paper <statistics)" 0
   assert_equal "$(value runout_m paper_first_met <statistics)" nan
+}
+
+@test "a rule of width waits for enough runs, and can be of one quantity" {
+  ladder 99 >rows.tsv
+  mcstats rows.tsv --stop runout_m:mean=9 --stop sd=9 --stop quantile_0.5=9 --stop exceeds_10.5=1 >statistics
+  assert_equal "$(value runout_m stop:mean=9 <statistics)" 0
+  assert_equal "$(value influence_m stop:mean=9 <statistics)" ""
+  assert_equal "$(value runs next_look <statistics)" 100
+  mcstats rows.tsv --least-runs 99 --stop runout_m:mean=9 --stop sd=9 --stop quantile_0.5=9 --stop exceeds_10.5=1 >statistics
+  for rule in mean=9 sd=9 quantile_0.5=9 exceeds_10.5=1; do assert_equal "$(value runout_m stop:$rule <statistics)" 1; done
+  assert_equal "$(value runs next_look <statistics)" 119
 }

@@ -29,8 +29,10 @@ struct Options {
   std::string output = "-";
 };
 
-const char* const manual = R"(Exceedance probabilities of the influence distance (influence_m, behind the crest) and the runout distance
-(runout_m, before the toe), hazard classes and their boundaries. Distances in m, counted away from the slope.
+const char* const manual = R"(Exceedance probabilities and hazard classes of places before and behind a slope.
+
+Of the influence distance behind the crest (influence_m) and the runout distance before the toe (runout_m). Distances in m, counted away
+from the slope.
 
 A probability is a share of all runs, failed or not; ci_low and ci_high are its exact 95 % band (Clopper-Pearson), for one distance at a
 time. Runs that left the grid exceed every distance up to their reach and are doubtful beyond, diverged runs are doubtful everywhere:

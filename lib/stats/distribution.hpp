@@ -1,12 +1,14 @@
-// Distributions fitted to a sample: parameters with intervals, tail, and a test of how well they fit.
+// Distributions fitted to a sample: parameters, density, cumulative, tail, likelihood.
 //
-// - Normal: mean and sd (n - 1) of x.
-// - Lognormal: lambda and zeta, mean and sd (n - 1) of ln x (completes Eq. 28); needs every x > 0.
-// Intervals of the first parameter by Student, of the second by Bonett (interval.hpp).
-// Goodness of fit: Pearson's chi-square on k bins of equal fitted probability, k = floor(2 n^(2/5)) (Mann and Wald 1942, as shortened
-// by later practice), at most n / 5 so that 5 values are expected in each, at least 4. Degrees of freedom k - 1 - 2. With parameters
-// estimated from the unbinned values the true p lies between those of k - 3 and k - 1 degrees (Chernoff and Lehmann 1954): the p
-// given is the smaller. Few bins see little: a p of 0.3 does not make a sample Normal.
+//   family     parameters                 fitted by
+//   normal     mean, sd                   mean and sd (n - 1) of x
+//   lognormal  lambda, zeta               mean and sd (n - 1) of ln x (completes Eq. 28)
+//   gamma      shape, scale               maximum likelihood: ln k - psi(k) = ln mean(x) - mean(ln x), scale = mean / k
+//   weibull    shape, scale               maximum likelihood: sum x^k ln x / sum x^k - 1 / k = mean(ln x), scale = mean(x^k)^(1/k)
+//   gev        location, scale, shape     maximum likelihood by the simplex of Nelder and Mead, from the L-moments of Hosking (1990)
+// GEV: F(x) = exp(-(1 + shape (x - location) / scale)^(-1 / shape)); shape > 0 is heavy-tailed, shape < 0 has an upper end, 0 is Gumbel.
+// Lognormal, gamma and weibull live on x > 0. Locations and scales in the unit of x, lambda and zeta in its logarithm.
+// Accuracy: likelihoods of gamma and weibull are solved to rounding, of the GEV to 1e-8 of its parameters.
 #pragma once
 
 #include <array>
@@ -14,42 +16,41 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
-#include "stats/sample.hpp"
+#include "stats/interval.hpp"
 
 namespace slidezone {
 
-enum class Family { normal, lognormal };
+enum class Family { normal, lognormal, gamma, weibull, gev };
+
+inline constexpr std::array families = {Family::normal, Family::lognormal, Family::gamma, Family::weibull, Family::gev};
+
+/// "normal", "lognormal", "gamma", "weibull", "gev".
+std::string name_of(Family family);
+
+/// As in the table above, e.g. {"lambda", "zeta"}.
+const std::vector<std::string>& parameter_names(Family family);
 
 struct Fit {
   Family family = Family::normal;
-  std::array<double, 2> parameters{};
+  std::vector<double> parameters;  // in the order of their names
 };
 
-/// Nothing for fewer than 2 values, equal values, and a Lognormal of values <= 0.
+/// Nothing for fewer than 2 values (GEV: 5), equal values, values <= 0 where the family wants them above, and a GEV without a maximum of
+/// its likelihood at a shape above -1.
 std::optional<Fit> fit_of(Family family, std::span<const double> values);
 
-/// Intervals of the parameters, in their order.
-std::array<Interval, 2> parameter_intervals(Family family, std::span<const double> values);
+/// 95 % intervals of the parameters: Student and Bonett (interval.hpp) for normal and lognormal; nothing for the others.
+std::optional<std::array<Interval, 2>> parameter_intervals(Family family, std::span<const double> values);
 
-/// "normal", "lognormal".
-std::string name_of(Family family);
-
-/// What the parameters are called: {"mean", "sd"}, {"lambda", "zeta"}.
-std::array<std::string, 2> parameter_names(Family family);
-
-/// P(X <= x) and P(X > x) of the fit.
+/// Density, P(X <= x) and P(X > x) of the fit.
+double density(const Fit& fit, double x);
 double cumulative(const Fit& fit, double x);
 double tail(const Fit& fit, double x);
 
-struct ChiSquare {
-  double statistic = 0;
-  std::size_t bins = 0;
-  std::size_t degrees_of_freedom = 0;
-  double p = 0;
-};
-
-/// Nothing where fewer than 20 values leave no degree of freedom.
-std::optional<ChiSquare> chi_square(const Fit& fit, std::span<const double> values);
+/// Akaike's information criterion, 2 k - 2 ln(likelihood), k parameters by maximum likelihood (normal, lognormal: sd with n, not n - 1).
+/// The smaller, the better; differences below 2 say little (Burnham and Anderson 2002).
+double akaike_criterion(const Fit& fit, std::span<const double> values);
 
 }  // namespace slidezone

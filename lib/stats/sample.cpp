@@ -76,4 +76,8 @@ Estimate variance_estimate(const Sample& sample, double confidence) {
   return estimate;
 }
 
+Estimate root(const Estimate& estimate) {
+  return {std::sqrt(estimate.value), {std::sqrt(std::max(estimate.interval.low, 0.0)), std::sqrt(estimate.interval.high)}};
+}
+
 }  // namespace slidezone

@@ -54,4 +54,7 @@ Estimate exceedance_estimate(const Sample& sample, double x, double confidence =
 Estimate mean_estimate(const Sample& sample, double confidence = standard_confidence);
 Estimate variance_estimate(const Sample& sample, double confidence = standard_confidence);
 
+/// The root of an estimate and of the ends of its interval, the lower one at least 0: an sd from a variance.
+Estimate root(const Estimate& estimate);
+
 }  // namespace slidezone

@@ -1,10 +1,19 @@
 // Stopping rules: whether a series of realizations is long enough.
 //
-// - `paper`: the source paper's rule. Adding one realization changes the running mean by less than 1e-3 m and the running variance
-//   by less than 1e-3 m2. What is wrong with it: a change of the mean is (x - m) / n and one of the variance about s^2 / n, so the
-//   rule asks for n of some 1e3 s^2 whatever is wanted of the answer (with a variance of 2.24 m2 not before n = 1078), it can be met
-//   by one value near the mean, and it says nothing of the error. Given because the paper used it.
-// - `mean=W`: the 95 % interval of the mean is at most W m to either side (for a sample without censored values).
+//   paper              the source paper's rule: one more realization changes the running mean by less than 1e-3 m and the running
+//                      variance by less than 1e-3 m2
+//   mean=W sd=W        half of the 95 % interval of the mean, of the sd, is at most W m
+//   quantile_P=W       likewise of the quantile of probability P, in m
+//   exceeds_X=W        likewise of P(reach > X m), W a probability
+// A rule holds for one quantity where that stands before it ("runout_m:mean=0.1"), else for each.
+//
+// What is wrong with the paper's rule: a change of the mean is (x - m) / n and one of the variance about s^2 / n, so it asks for n of
+// some 1e3 s^2 whatever is wanted of the answer (with a variance of 2.24 m2 not before n = 1078), it can be met by one value near the
+// mean, and it says nothing of the error. Given because the paper used it.
+//
+// Repeated looking: who looks after every run and stops at the first interval that is short enough stops when the spread happens to
+// look small, and the interval covers less than it says. Two guards keep the coverage: no look before `least_runs` and then only
+// after the runs grew by a fifth. A slow test simulates it: 93 to 97 % at the stop for Normal, skewed and bimodal reach.
 #pragma once
 
 #include <cstddef>
@@ -13,26 +22,36 @@
 #include <string>
 #include <string_view>
 
+#include "stats/sample.hpp"
+
 namespace slidezone {
 
 struct StopRule {
-  enum class Kind { paper, mean };
+  enum class Kind { paper, mean, sd, quantile, exceedance };
+  std::string quantity;  // "influence_m" or "runout_m"; empty: each
   Kind kind = Kind::paper;
-  double half_width = 0;  // m, of `mean`
+  double argument = 0;    // P of a quantile, X in m of an exceedance
+  double half_width = 0;  // what is wanted; unused by the paper's rule
 };
 
 inline constexpr double paper_tolerance = 1e-3;  // m of the mean, m2 of the variance
 
-/// "paper" or "mean=0.2"; nothing for another text.
+/// As in the table above; nothing for another text.
 std::optional<StopRule> parse_stop_rule(std::string_view text);
 
-/// The rule as parse_stop_rule() reads it.
+/// The rule as parse_stop_rule() reads it, without its quantity.
 std::string to_string(const StopRule& rule);
+
+/// Half of the interval that a rule of width looks at; infinite where the sample cannot tell.
+double half_width(const StopRule& rule, const Sample& sample);
+
+/// The next number of runs at which to look, after `runs`.
+std::size_t next_look(std::size_t runs, std::size_t least_runs);
 
 /// The paper's rule over a series.
 struct PaperVerdict {
-  double change_of_mean = 0;             // by the last value; nan for fewer than 3 values
-  double change_of_variance = 0;         // likewise
+  double change_of_mean = 0;             // by the last value; nan for fewer than 2 values
+  double change_of_variance = 0;         // likewise for fewer than 3
   bool is_met = false;                   // by the last value
   std::optional<std::size_t> first_met;  // number of values after which it was met for the first time
 };

@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "core/round_step.hpp"
+
 namespace slidezone {
 
 const std::string& class_of(const Classes& classes, double probability) {
@@ -42,30 +44,11 @@ std::vector<CurvePoint> exceedance_curve(const Sample& sample, std::span<const d
   return curve;
 }
 
-namespace {
-
-/// units * scale, or units / scale.
-struct Step {
-  double units = 1;
-  double scale = 1;  // a power of ten >= 1
-  bool is_divisor = false;
-};
-
-}  // namespace
-
-/// The largest of 1, 2, 5 times a power of ten that is at most `limit`.
-static Step step_below(double limit) {
-  const double exponent = std::floor(std::log10(limit));
-  const double mantissa = limit / std::pow(10, exponent);
-  return {mantissa >= 5 ? 5.0 : mantissa >= 2 ? 2.0 : 1.0, std::pow(10, std::abs(exponent)), exponent < 0};
-}
-
 std::vector<double> curve_distances(double farthest) {
   const double end = 1.25 * (farthest > 0 ? farthest : 1.0);
-  const Step step = step_below(end / 200);
+  const RoundStep step = round_step(end / 200);
   std::vector<double> distances;
-  for (double i = 0; distances.empty() || distances.back() < end; ++i)
-    distances.push_back(step.is_divisor ? i * step.units / step.scale : i * step.units * step.scale);  // 3 / 10 is 0.3, 3 * 0.1 is not
+  for (double i = 0; distances.empty() || distances.back() < end; ++i) distances.push_back(step.multiple(i));
   return distances;
 }
 

@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "stats/bootstrap.hpp"
 #include "stats/distribution.hpp"
+#include "stats/goodness.hpp"
 #include "stats/interval.hpp"
 #include "stats/moments.hpp"
 #include "stats/sample.hpp"
@@ -257,6 +259,102 @@ TEST(Fit, IsRefusedWhereThereIsNone) {
   EXPECT_FALSE(fit_of(Family::normal, std::vector<double>{1}));
 }
 
+/// 25 made-up influence distances; what R 4.2.2 says of them stands beside each test.
+const std::vector<double> distances_25 = {8.31, 9.72, 10.05, 7.44, 12.9, 11.3, 9.1,  10.8, 9.95, 14.2, 8.85, 10.4, 11.9,
+                                          9.33, 10.1, 13.1,  7.9,  9.6,  10.7, 12.2, 8.6,  9.9,  11.1, 10.3, 16.4};
+
+/// Parameters and AIC of optim() on R's densities, to the 6 or 7 digits that its simplex reaches.
+TEST(Fit, OfMaximumLikelihoodMatchesR) {
+  struct Reference {
+    Family family;
+    std::vector<double> parameters;
+    double aic;
+    double tolerance;  // of the parameters
+  };
+  const Reference references[] = {{Family::normal, {}, 109.595684208692, 0},
+                                  {Family::lognormal, {}, 106.209920934398, 0},
+                                  {Family::gamma, {30.202152157658674, 0.349842617442206}, 107.074737513144, 1e-5},
+                                  {Family::weibull, {5.11703191840906, 11.41498240736692}, 113.453639596053, 1e-6},
+                                  {Family::gev, {9.6605449907618919, 1.5552558776876355, 0.0034674643401202}, 107.120217159406, 1e-5}};
+  for (const Reference& reference : references) {
+    const auto fit = fit_of(reference.family, distances_25);
+    ASSERT_TRUE(fit) << name_of(reference.family);
+    for (std::size_t i = 0; i < reference.parameters.size(); ++i)
+      EXPECT_NEAR(fit->parameters[i], reference.parameters[i], reference.tolerance) << name_of(reference.family) << i;
+    EXPECT_NEAR(akaike_criterion(*fit, distances_25), reference.aic, 1e-9) << name_of(reference.family);
+  }
+}
+
+TEST(Fit, DensityIsTheSlopeOfTheCumulativeAndTailTheRest) {
+  for (const Family family : families) {
+    const Fit fit = *fit_of(family, distances_25);
+    for (const double x : {5.0, 8.0, 10.5, 15.0, 20.0}) {
+      const double h = 1e-5;  // rounding 1e-16 / h and truncation h^2 are both near 1e-10
+      EXPECT_NEAR((cumulative(fit, x + h) - cumulative(fit, x - h)) / (2 * h), density(fit, x), 1e-9) << name_of(family) << x;
+      EXPECT_NEAR(cumulative(fit, x) + tail(fit, x), 1, 1e-15) << name_of(family) << x;
+    }
+  }
+}
+
+TEST(Fit, OfScaledValuesIsScaled) {
+  std::vector<double> scaled = distances_25;
+  for (double& value : scaled) value *= 1000;
+  for (const Family family : {Family::gamma, Family::weibull, Family::gev}) {
+    const Fit fit = *fit_of(family, distances_25);
+    const Fit large = *fit_of(family, scaled);
+    EXPECT_NEAR(tail(large, 14000), tail(fit, 14), 1e-7)
+        << name_of(family);  // the GEV's simplex stops at 1e-9 of its likelihood's arguments
+  }
+}
+
+TEST(Gev, KnowsItsEndAndItsGumbelLimit) {
+  const Fit bounded{Family::gev, {0, 1, -0.5}};  // ends at 2
+  EXPECT_EQ(cumulative(bounded, 2.5), 1);
+  EXPECT_EQ(tail(bounded, 2.5), 0);
+  EXPECT_EQ(density(bounded, 2.5), 0);
+  const Fit heavy{Family::gev, {0, 1, 0.5}};  // begins at -2
+  EXPECT_EQ(cumulative(heavy, -2.5), 0);
+  const Fit gumbel{Family::gev, {0, 1, 0}};
+  const Fit near_gumbel{Family::gev, {0, 1, 1e-9}};
+  EXPECT_DOUBLE_EQ(cumulative(gumbel, 1), std::exp(-std::exp(-1.0)));
+  EXPECT_NEAR(cumulative(near_gumbel, 1), cumulative(gumbel, 1), 1e-9);
+}
+
+// ---- goodness of fit ----
+
+TEST(Distances, MatchNortestOfR) {
+  const Distances normal = distances(*fit_of(Family::normal, distances_25), distances_25);
+  EXPECT_NEAR(normal.anderson_darling, 0.5149290812851, 1e-12);
+  EXPECT_NEAR(normal.lilliefors, 0.1343589578166, 1e-12);
+  const Distances lognormal = distances(*fit_of(Family::lognormal, distances_25), distances_25);
+  EXPECT_NEAR(lognormal.anderson_darling, 0.2197170271949, 1e-12);
+  EXPECT_NEAR(lognormal.lilliefors, 0.0982372881763, 1e-12);
+}
+
+TEST(Distances, HaveTheirSimulatedP) {
+  // nortest's approximations give .174, .290 and .816, .772; they are good to .01, 4000 simulations to 2 sqrt(p (1 - p) / 4000) = .016.
+  const auto simulated = simulated_distances(Family::normal, 25, 4000, 1);
+  ASSERT_TRUE(simulated);
+  const DistanceP normal = p_values(distances(*fit_of(Family::normal, distances_25), distances_25), 25, *simulated);
+  EXPECT_NEAR(normal.anderson_darling, 0.1737, 0.025);
+  EXPECT_NEAR(normal.lilliefors, 0.2897, 0.025);
+  const DistanceP lognormal = p_values(distances(*fit_of(Family::lognormal, distances_25), distances_25), 25, *simulated);
+  EXPECT_NEAR(lognormal.anderson_darling, 0.8155, 0.025);
+  EXPECT_NEAR(lognormal.lilliefors, 0.7717, 0.025);
+}
+
+TEST(Distances, SimulatedLimitsAreThePublishedOnes) {
+  // 5 % points: A^2 (1 + .75 / n + 2.25 / n^2) = .752 and scaled D = .895 for a Normal, A^2 (1 + .2 / sqrt(n)) = .757 for a Weibull
+  // (D'Agostino and Stephens 1986). The 95 % point of 4000 simulations scatters by .02 (two standard errors).
+  const std::size_t place = 3800;
+  const auto normal = simulated_distances(Family::normal, 100, 4000, 1);
+  EXPECT_NEAR(normal->anderson_darling[place] * (1 + 0.75 / 100), 0.752, 0.025);
+  EXPECT_NEAR(normal->lilliefors[place], 0.895, 0.02);
+  const auto weibull = simulated_distances(Family::weibull, 100, 4000, 1);
+  EXPECT_NEAR(weibull->anderson_darling[place] * (1 + 0.02), 0.757, 0.025);
+  EXPECT_FALSE(simulated_distances(Family::gamma, 100, 10, 1));
+}
+
 TEST(ChiSquare, IsZeroForValuesSpreadAsTheFit) {
   // 120 values at the middles of 120 equal probabilities of the fit.
   const Fit fit{Family::lognormal, {0, 1}};
@@ -281,16 +379,72 @@ TEST(ChiSquare, SeesTwoHeapsAndWantsTwentyValues) {
   std::vector<double> heaps;
   for (int i = 0; i < 100; ++i) heaps.push_back((i % 2 == 0 ? 7 : 11) + 0.001 * i);
   EXPECT_LT(chi_square(*fit_of(Family::normal, heaps), heaps)->p, 1e-9);
-  EXPECT_FALSE(chi_square(Fit{}, one_to(19)));
-  EXPECT_TRUE(chi_square(Fit{}, one_to(20)));
+  EXPECT_FALSE(chi_square(Fit{Family::normal, {10, 5}}, one_to(19)));
+  EXPECT_TRUE(chi_square(Fit{Family::normal, {10, 5}}, one_to(20)));
+}
+
+// ---- bootstrap ----
+
+TEST(Bootstrap, MatchesBootOfR) {
+  // boot.ci(type = "bca") with R = 200000: mean (9.89, 11.48), variance (2.203, 8.733).
+  const MomentIntervals found = bootstrap_intervals(distances_25, "test", {.resamples = 100'000, .seed = 1});
+  EXPECT_NEAR(found.mean.low, 9.89, 0.01);
+  EXPECT_NEAR(found.mean.high, 11.48, 0.01);
+  EXPECT_NEAR(found.variance.low, 2.203, 0.03);  // the ends scatter by some sd 0.01 and 0.05 at 100000 resamples
+  EXPECT_NEAR(found.variance.high, 8.733, 0.15);
+}
+
+TEST(Bootstrap, IsReproducibleAndFollowsItsSeed) {
+  const MomentIntervals first = bootstrap_intervals(distances_25, "test", {});
+  const MomentIntervals again = bootstrap_intervals(distances_25, "test", {});
+  const MomentIntervals other = bootstrap_intervals(distances_25, "test", {.seed = 2});
+  EXPECT_EQ(first.kurtosis.high, again.kurtosis.high);
+  EXPECT_NE(first.kurtosis.high, other.kurtosis.high);
+}
+
+TEST(Bootstrap, CarriesAShiftAndAScaleAlong) {
+  std::vector<double> moved;
+  for (const double value : distances_25) moved.push_back(1024 + 2 * value);
+  const MomentIntervals first = bootstrap_intervals(distances_25, "test", {});
+  const MomentIntervals second = bootstrap_intervals(moved, "test", {});
+  EXPECT_NEAR(second.mean.low, 1024 + 2 * first.mean.low, 1e-9);
+  EXPECT_NEAR(second.variance.high, 4 * first.variance.high, 1e-9);
+  EXPECT_NEAR(second.skewness.low, first.skewness.low, 1e-9);
+}
+
+TEST(Bootstrap, SaysNothingOfFewOrEqualValues) {
+  EXPECT_EQ(bootstrap_intervals(std::vector<double>(7, 1.0), "test", {}).mean.high, infinity);
+  EXPECT_EQ(bootstrap_intervals(std::vector<double>(100, 1.0), "test", {}).mean.high, infinity);
 }
 
 // ---- stopping ----
 
 TEST(StopRule, ReadsItsTextBack) {
-  for (const char* text : {"paper", "mean=0.25"}) EXPECT_EQ(to_string(*parse_stop_rule(text)), text);
-  for (const char* wrong : {"", "Paper", "mean", "mean=", "mean=0", "mean=-1", "mean=nan", "mean=1m", "sd=1"})
+  for (const char* text : {"paper", "mean=0.25", "sd=0.1", "quantile_0.9=0.5", "exceeds_20=0.02"})
+    EXPECT_EQ(to_string(*parse_stop_rule(text)), text);
+  EXPECT_EQ(parse_stop_rule("runout_m:mean=1")->quantity, "runout_m");
+  for (const char* wrong : {"", "Paper", "mean", "mean=", "mean=0", "mean=-1", "mean=nan", "mean=1m", "reach:mean=1", "quantile_1=1",
+                            "quantile_0=1", "quantile_=1", "exceeds_-1=0.1", "exceeds_=0.1", ":mean=1", "runout_m:"})
     EXPECT_FALSE(parse_stop_rule(wrong)) << wrong;
+}
+
+TEST(StopRule, LooksAtTheIntervalOfItsTarget) {
+  const Sample sample = exactly(one_to(1000));
+  EXPECT_DOUBLE_EQ(half_width(*parse_stop_rule("quantile_0.5=1"), sample), (532.0 - 469) / 2);
+  EXPECT_NEAR(half_width(*parse_stop_rule("exceeds_990=1"), sample), (0.0183132431 - 0.0048055107) / 2, 1e-10);
+  EXPECT_DOUBLE_EQ(half_width(*parse_stop_rule("mean=1"), sample),
+                   (mean_estimate(sample).interval.high - mean_estimate(sample).interval.low) / 2);
+  EXPECT_DOUBLE_EQ(half_width(*parse_stop_rule("sd=1"), sample),
+                   (std::sqrt(variance_estimate(sample).interval.high) - std::sqrt(variance_estimate(sample).interval.low)) / 2);
+  EXPECT_EQ(half_width(*parse_stop_rule("quantile_0.999=1"), sample), infinity);
+  EXPECT_EQ(half_width(*parse_stop_rule("mean=1"), {}), infinity);
+}
+
+TEST(NextLook, GrowsByAFifth) {
+  EXPECT_EQ(next_look(0, 100), 100u);
+  EXPECT_EQ(next_look(100, 100), 120u);
+  EXPECT_EQ(next_look(1001, 100), 1202u);
+  EXPECT_EQ(next_look(2, 2), 3u);
 }
 
 /// Whether any next value at all could meet the paper's rule as the n-th, after n - 1 values of variance 2.24.
