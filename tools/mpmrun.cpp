@@ -34,11 +34,13 @@ struct Options {
   std::string every = "1 s";
 };
 
-/// What every file of this run says of itself.
-static Provenance run_provenance(const std::string& schema, const Scene& scene, const std::string& points_checksum) {
+/// What every file of this run says of itself. A row carries its number, so that rows of one study share their provenance.
+static Provenance run_provenance(const std::string& schema, const Scene& scene, const std::string& points_checksum,
+                                 std::optional<std::uint64_t> sample = {}) {
   Provenance result = provenance(schema, "mpmrun");
   result.details.emplace_back("scene", scene.checksum);
   if (!points_checksum.empty()) result.details.emplace_back("points", points_checksum);
+  if (sample) result.details.emplace_back("sample", std::to_string(*sample));
   return result;
 }
 
@@ -100,7 +102,10 @@ static void run(const Options& options) {
     points_checksum = checksum(image);
     sample = field_sample(image, input_name(options.points), points, options.sample);
   }
-  const Provenance state_provenance = run_provenance("slidezone-state 1", scene, points_checksum);
+  const auto detailed = [&](const std::string& schema) {
+    return run_provenance(schema, scene, points_checksum, sample ? std::optional(options.sample) : std::nullopt);
+  };
+  const Provenance state_provenance = detailed("slidezone-state 1");
   std::optional<FrameWriter> frames;
   if (!options.frames.empty()) frames.emplace(options.frames, frame_interval(options.every), points, state_provenance);
 
@@ -113,11 +118,9 @@ static void run(const Options& options) {
   const Row row = row_of(scene, points, sample, outcome);
   report_trouble(row, outcome);
   if (!options.state.empty()) write_output(options.state, state_file(points, outcome.points, state_provenance));
-  if (!options.table.empty())
-    write_output(options.table, points_table(points, outcome.points, run_provenance("slidezone-table 1", scene, points_checksum)));
+  if (!options.table.empty()) write_output(options.table, points_table(points, outcome.points, detailed("slidezone-table 1")));
   if (!options.profile.empty())
-    write_output(options.profile,
-                 profile_table(scene, points, outcome.points, run_provenance("slidezone-profile 1", scene, points_checksum)));
+    write_output(options.profile, profile_table(scene, points, outcome.points, detailed("slidezone-profile 1")));
   write_output(options.output, to_tsv(row, run_provenance(std::string(row_schema), scene, points_checksum)));
 }
 

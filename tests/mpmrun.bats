@@ -1,0 +1,177 @@
+# mpmrun: contract, bad scenes and points, then files on request, guards, and the benchmark against its expected range.
+load helper
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  scene=$TOP/tests/scenes/tiny.toml
+}
+
+# edited SED-SCRIPT: the tiny scene, changed, as changed.toml.
+edited() { sed "$1" "$scene" >changed.toml; }
+
+# ---- contract ----
+
+@test "--help and --version go to stdout" {
+  run --separate-stderr mpmrun --help
+  assert_success
+  assert_output --partial "Example: mpmrun pipelines/benchmark/scene.toml"
+  assert_output --partial "Exit codes: 0 done"
+  assert_equal "$stderr" ""
+  run --separate-stderr mpmrun --version
+  assert_success
+  assert_output --regexp '^mpmrun [0-9]+\.[0-9]+\.[0-9]+$'
+}
+
+@test "wrong command lines exit 64" {
+  for options in "" "$scene --no-such-option" "$scene --sample 1" "$scene --points p.h5 --sample 0" "$scene --points p.h5 --sample 010" \
+    "$scene --every 1s" "$scene --frames f --every 0s" "$scene --frames f --every 1kg" "$scene extra"; do
+    # shellcheck disable=SC2086
+    run --separate-stderr mpmrun $options
+    assert_failure 64
+    assert_equal "$output" ""
+    assert_regex "$stderr" '^mpmrun: '
+  done
+}
+
+@test "missing inputs exit 66" {
+  run --separate-stderr mpmrun missing.toml
+  assert_failure 66
+  assert_regex "$stderr" '^mpmrun: missing.toml: '
+  run --separate-stderr mpmrun "$scene" --points missing.h5
+  assert_failure 66
+}
+
+@test "a broken scene exits 65, names file, line and column, and leaves nothing" {
+  edited 's/^height = .*/height = "5 kPa"/'
+  run mpmrun changed.toml -o row.tsv --state state.hdf
+  assert_failure 65
+  assert_output --regexp "^mpmrun: changed.toml:[0-9]+:[0-9]+: 'height' wants a length, found \"5 kPa\""
+  assert_equal "$(ls)" changed.toml
+}
+
+@test "an output that cannot be created exits 73, a full disk 74; nothing is left" {
+  run mpmrun "$scene" -o missing/row.tsv
+  assert_failure 73
+  run mpmrun "$scene" -o /dev/full
+  assert_failure 74
+  run mpmrun "$scene" --frames /dev/null/frames
+  assert_failure 73
+  run bash -c "mpmrun '$scene' >/dev/full"
+  assert_failure 74
+  assert_equal "$(ls)" ""
+}
+
+@test "equal inputs give equal bytes, in files and through pipes" {
+  mpmrun "$scene" -o a.tsv --state a.hdf --table a.points --profile a.profile
+  mpmrun - <"$scene" --state b.hdf --table b.points --profile b.profile >b.tsv
+  for kind in tsv hdf points profile; do cmp a.$kind b.$kind; done
+}
+
+# ---- points ----
+
+@test "a sample through pipes gives the bytes that it gives through files" {
+  rfgen "$scene" -n 2 -o fields.h5
+  rfmap "$scene" fields.h5 -o points.h5
+  mpmrun "$scene" --points points.h5 --sample 2 -o from-file.tsv
+  mpmrun "$scene" --points - --sample 2 <points.h5 >from-pipe.tsv
+  cmp from-file.tsv from-pipe.tsv
+  assert_equal "$(tsv_value realization <from-file.tsv)" 2
+  mpmrun "$scene" -o deterministic.tsv
+  assert_equal "$(tsv_value realization <deterministic.tsv)" 0
+  refute_equal() { [[ $1 != "$2" ]]; }
+  refute_equal "$(tsv_value runout_m <from-file.tsv)" "$(tsv_value runout_m <deterministic.tsv)"
+}
+
+@test "a sample that the file does not hold exits 65" {
+  rfgen "$scene" -n 2 | rfmap "$scene" - -o points.h5
+  run --separate-stderr mpmrun "$scene" --points points.h5 --sample 3
+  assert_failure 65
+  assert_equal "$stderr" "mpmrun: points.h5: holds no sample 3, only 1 to 2"
+}
+
+@test "points of another scene, other files and damaged files exit 65" {
+  rfgen "$scene" -n 1 -o fields.h5
+  rfmap "$scene" fields.h5 -o points.h5
+  edited 's/^points_per_cell = .*/points_per_cell = 4/'
+  run --separate-stderr mpmrun changed.toml --points points.h5
+  assert_failure 65
+  assert_regex "$stderr" 'material points, the scene has [0-9]+; was it made from another scene\?$'
+  run --separate-stderr mpmrun "$scene" --points fields.h5
+  assert_failure 65
+  assert_equal "$stderr" "mpmrun: fields.h5: found schema 'slidezone-fields 1', expected 'slidezone-points 1'"
+  head -c 2000 points.h5 >short.h5
+  run mpmrun "$scene" --points short.h5
+  assert_failure 65
+  run mpmrun "$scene" --points "$scene"
+  assert_failure 65
+}
+
+# ---- files on request ----
+
+@test "row, state, table and profile obey their schemas" {
+  rfgen "$scene" -n 1 | rfmap "$scene" - -o points.h5
+  mpmrun "$scene" --points points.h5 -o row.tsv --state state.hdf --table points.tsv --profile profile.tsv
+  assert_schema row row.tsv
+  assert_schema state state.hdf
+  assert_schema table points.tsv
+  assert_schema profile profile.tsv
+}
+
+@test "only what is asked for is written" {
+  mpmrun "$scene" >/dev/null
+  assert_equal "$(ls)" ""
+}
+
+@test "frames come at the times asked for, with an index, and change no number" {
+  mpmrun "$scene" -o plain.tsv
+  mpmrun "$scene" -o framed.tsv --frames frames --every "200 ms"
+  cmp plain.tsv framed.tsv
+  assert_schema state frames/frame-000001.hdf
+  python3 - <<'END'
+import json, pathlib
+index = json.load(open("frames/frames.hdf.series"))["files"]
+assert len(index) >= 3, index
+assert sorted(path.name for path in pathlib.Path("frames").glob("*.hdf")) == [frame["name"] for frame in index]
+for k, frame in enumerate(index):
+    assert 0 <= frame["time"] - 0.2 * (k + 1) < 0.02, frame
+END
+}
+
+# ---- what ends a run ----
+
+@test "a slope that reaches the end of the grid is censored" {
+  edited 's/^width = .*/width = "5.5 m"/; s/^cohesion = .*/cohesion = "0.2 kPa"/; s/^residual_cohesion = .*/residual_cohesion = "0.1 kPa"/; /^\[field/,/^$/d'
+  run --separate-stderr mpmrun changed.toml
+  assert_success
+  assert_equal "$(tsv_value status <<<"$output")" left_domain
+  assert_regex "$stderr" '^mpmrun: warning: left the domain: point [0-9]+ at .* lies outside the grid of .* at step [0-9]+, time [0-9.]+ s$'
+}
+
+@test "a strong slope stands: status stable, reach 0" {
+  edited 's/^cohesion = .*/cohesion = "500 kPa"/; s/^residual_cohesion = .*/residual_cohesion = "500 kPa"/; /^\[field/,/^$/d
+    s/^cell = .*/cell = "0.2 m"/; s/^protocol = .*/protocol = "ramp"\nramp_time = "1 s"/'
+  mpmrun changed.toml -o row.tsv
+  assert_equal "$(tsv_value status <row.tsv)" stable
+  assert_equal "$(tsv_value runout_m <row.tsv)" 0
+  assert_equal "$(tsv_value influence_m <row.tsv)" 0
+}
+
+@test "a step beyond the stability limit is refused before the run" {
+  edited 's/^step_fraction = .*//; s/^end = .*/&\nstep = "1 s"/'
+  run --separate-stderr mpmrun changed.toml
+  assert_failure 65
+  assert_regex "$stderr" 'time step of 1 s is beyond the stability limit of '
+}
+
+# ---- the benchmark ----
+
+@test "the benchmark gives the runout of its calibrated settings and closes its energy" {
+  # The scene's step divided by 5 in number: R changes by less than 2 % (18.08 m at 7.5e-4 s, 18.41 m at 3.7e-3 s).
+  sed 's/^step = .*/step = "3.7e-3 s"/' "$TOP/pipelines/benchmark/scene.toml" >benchmark.toml
+  mpmrun benchmark.toml -o row.tsv
+  assert_equal "$(tsv_value status <row.tsv)" slid
+  # Independent codes with sudden gravity and eta = 8: R from 16.1 to 19.9 m, I from 9.0 to 12.2 m.
+  assert_between "$(tsv_value runout_m <row.tsv)" 16.1 19.9
+  assert_between "$(tsv_value influence_m <row.tsv)" 9.0 12.2
+  assert_near "$(tsv_value energy_error <row.tsv)" 0 0.01
+}
