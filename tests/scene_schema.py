@@ -124,6 +124,15 @@ BAD = [
     ("cut", "k0 = 0.5", 'ramp_time = @"2 s"', "'ramp_time' has a meaning only with protocol = \"ramp\""),
     ("layers", 'ramp_time = "2 s"', "k0 = @0.5", "'k0' has a meaning only with protocol = \"k0\""),
     ("layers", '"2 s"', '@"0 s"', "'ramp_time' wants above 0 s"),
+    ("layers", '"3 deg"', '@"-3 deg"', "'tilt' wants at least 0 and below 90 deg, found \"-3 deg\""),
+    # [initial]
+    ("layers", re.compile(r'\[initial\].*?(?=\[time\])', re.S), "@[[initial]]\n", "'initial' wants a table, found a list"),
+    ("layers", 'velocity = [', '@velocty = [', "unknown key 'velocty' in [initial]; did you mean 'velocity'?"),
+    ("layers", 'velocity = ["0.5 m/s", "-0.1 m/s"]\n', "", "no key 'velocity' in [initial]"),
+    ("layers", '["0.5 m/s", "-0.1 m/s"]', '@"0.5 m/s"', "'velocity' wants its components along x and y like [\"5 m/s\", \"0 m/s\"]"),
+    ("layers", '["0.5 m/s", "-0.1 m/s"]', '@["0.5 m/s"]', "'velocity' wants"),
+    ("layers", '["0.5 m/s", "-0.1 m/s"]', '@["0.5 m/s", "0 m/s", "0 m/s"]', "'velocity' wants"),
+    ("layers", '"-0.1 m/s"', '@5', "'velocity' wants"),
     # [time]
     ("cut", re.compile(r'\[time\].*', re.S), "@[[time]]\n", "'time' wants a table, found a list; write [time]"),
     ("cut", 'end = "5 s"', 'end = "5 s"\n@begin = "0 s"', "unknown key 'begin' in [time]; expected end, step, step_fraction or rest"),

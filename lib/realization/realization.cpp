@@ -79,6 +79,8 @@ Model model_of(const Scene& scene, const MaterialPoints& points, const std::opti
     const Material& soil = model.soils[static_cast<std::size_t>(points.layer[p])];
     model.points.volume[p] = volume;
     model.points.mass[p] = soil.density * volume;
+    model.points.velocity[2 * p] = scene.initial_velocity.x;
+    model.points.velocity[2 * p + 1] = scene.initial_velocity.y;
     model.points.peak_cohesion[p] = std::max(sample ? sample->cohesion[p] : soil.peak_cohesion, soil.residual_cohesion);
   }
   if (scene.gravity.protocol == GravityProtocol::k0) start_from_k0(model);

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "core/text.hpp"
@@ -8,6 +10,7 @@
 namespace slidezone {
 
 static const Range fraction{.low = 0, .high = 1, .is_low_excluded = true};
+static const Range below_vertical{.low = 0, .high = std::numbers::pi / 2, .is_high_excluded = true};
 static const Range proper_fraction{.low = 0, .high = 1, .is_low_excluded = true, .is_high_excluded = true};
 
 /// What words of the file stand for, in the order in which messages list them.
@@ -46,9 +49,11 @@ void read_walls(const TomlTable& table, Boundaries& boundaries) {
 }
 
 Gravity read_gravity(const TomlTable& table) {
-  table.check_keys({"acceleration", "protocol", "ramp_time", "k0"});
+  table.check_keys({"acceleration", "tilt", "protocol", "ramp_time", "k0"});
   Gravity gravity;
-  gravity.acceleration.y = -table.quantity_or("acceleration", "m s-2", positive, -gravity.acceleration.y);
+  const double acceleration = table.quantity_or("acceleration", "m s-2", positive, -gravity.acceleration.y);
+  const double tilt = table.quantity_or("tilt", "rad", below_vertical, 0);
+  gravity.acceleration = {acceleration * std::sin(tilt), -acceleration * std::cos(tilt)};
   gravity.protocol = choice_or(table, "protocol", protocols, gravity.protocol);
   if (gravity.protocol == GravityProtocol::ramp)
     gravity.ramp_time = table.quantity_or("ramp_time", "s", positive, gravity.ramp_time);
@@ -57,6 +62,13 @@ Gravity read_gravity(const TomlTable& table) {
   if (table.has("k0") && gravity.protocol != GravityProtocol::k0) table.fail("k0", "has a meaning only with protocol = \"k0\"");
   if (table.has("k0")) gravity.k0 = table.number("k0", not_negative);
   return gravity;
+}
+
+Vec2 read_initial_velocity(const TomlTable& table) {
+  table.check_keys({"velocity"});
+  if (table.has("velocity") && !table.is_list("velocity"))
+    table.fail("velocity", "wants its components along x and y like [\"5 m/s\", \"0 m/s\"]");
+  return table.quantity_pair("velocity", "m s-1", any_number);
 }
 
 static RestRule read_rest(const TomlTable& table, double end) {

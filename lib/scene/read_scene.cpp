@@ -25,7 +25,7 @@ static void check_right_wall(const TomlTable& slope_table, const Scene& scene) {
 
 Scene parse_scene(std::string_view text, const std::string& name, Needs needs) {
   const TomlTable file = TomlTable::parse(text, name);
-  file.check_keys({"title", "slope", "grid", "soil", "base", "walls", "gravity", "time", "field", "output", "study"});
+  file.check_keys({"title", "slope", "grid", "soil", "base", "walls", "gravity", "initial", "time", "field", "output", "study"});
   check_needs(file, needs);
   Scene scene;
   scene.name = name;
@@ -38,6 +38,7 @@ Scene parse_scene(std::string_view text, const std::string& name, Needs needs) {
   if (file.has("walls")) read_walls(file.table("walls"), scene.boundaries);
   check_right_wall(file.table("slope"), scene);
   if (file.has("gravity")) scene.gravity = read_gravity(file.table("gravity"));
+  if (file.has("initial")) scene.initial_velocity = read_initial_velocity(file.table("initial"));
   if (file.has("time")) scene.time = read_time(file.table("time"), scene.gravity);
   if (file.has("field")) scene.fields = read_fields(file.table("field"), scene.slope, scene.layers);
   if (file.has("output")) scene.output = read_output(file.table("output"));

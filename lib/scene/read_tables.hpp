@@ -25,6 +25,9 @@ void read_walls(const TomlTable& table, Boundaries& boundaries);
 
 Gravity read_gravity(const TomlTable& table);
 
+/// [initial]: the velocity that all soil starts with, m/s.
+Vec2 read_initial_velocity(const TomlTable& table);
+
 /// [time]; gravity must be full before the end.
 TimeStepping read_time(const TomlTable& table, const Gravity& gravity);
 

@@ -74,6 +74,7 @@ struct Scene {
   std::vector<Layer> layers;
   Boundaries boundaries;
   Gravity gravity;
+  Vec2 initial_velocity;  // of all soil, m/s
   TimeStepping time;
   std::vector<FieldSpec> fields;
   Output output;

@@ -67,6 +67,8 @@ TEST(Scene, HasDefaults) {
   EXPECT_EQ(scene.gravity.ramp_time, 2);
   EXPECT_EQ(scene.gravity.acceleration.x, 0);
   EXPECT_EQ(scene.gravity.acceleration.y, -9.81);
+  EXPECT_EQ(scene.initial_velocity.x, 0);
+  EXPECT_EQ(scene.initial_velocity.y, 0);
   EXPECT_FALSE(scene.gravity.k0);
   EXPECT_FALSE(scene.time.step);
   EXPECT_EQ(scene.time.step_fraction, 0.5);
@@ -108,6 +110,10 @@ TEST(Scene, ReadsEveryKey) {
   EXPECT_EQ(scene.boundaries.base_friction, 0.3);
   EXPECT_EQ(scene.boundaries.left, Wall::stick);
   EXPECT_EQ(scene.boundaries.right, Wall::roller);
+  EXPECT_DOUBLE_EQ(scene.gravity.acceleration.x, 9.81 * std::sin(std::numbers::pi / 60));  // towards the toe
+  EXPECT_DOUBLE_EQ(scene.gravity.acceleration.y, -9.81 * std::cos(std::numbers::pi / 60));
+  EXPECT_EQ(scene.initial_velocity.x, 0.5);
+  EXPECT_EQ(scene.initial_velocity.y, -0.1);
   EXPECT_EQ(scene.time.end, 60);
   EXPECT_EQ(scene.time.step_fraction, 0.4);
   EXPECT_EQ(scene.time.rest.value().fraction, 0.003);
