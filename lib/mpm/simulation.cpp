@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "core/error.hpp"
@@ -23,6 +24,15 @@ double kinetic_energy(const Points& points) {
     energy += 0.5 * points.mass[p] * (vx * vx + vy * vy);
   }
   return energy;
+}
+
+/// Work of gravity on all points over a thousandth of their height.
+double work_of_a_small_fall(const Points& points, const Model& model) {
+  constexpr double part = 1e-3;
+  const auto [lowest, highest] = std::minmax_element(points.y.begin(), points.y.end());
+  const double height = *highest - *lowest + model.point_spacing_y;
+  const double mass = std::accumulate(points.mass.begin(), points.mass.end(), 0.0);
+  return mass * std::hypot(model.gravity.acceleration.x, model.gravity.acceleration.y) * part * height;
 }
 
 /// Orders points by the cell that they lie in, column by column; equal cells keep their order (counting sort).
@@ -127,6 +137,7 @@ class Run {
         step_(time_step(model_)),
         sweeps_(slidezone::sweeps(set, soil_traits(model_))),
         kinetic_at_start_(kinetic_energy(points_)) {
+    audit_.least_work = std::max(kinetic_at_start_, work_of_a_small_fall(points_, model_));
     for (const Material& soil : model_.soils) soils_.push_back(soil_constants(soil));
     settings_ = {model_.grid, model_.boundaries, least_mass_fraction * *std::max_element(points_.mass.begin(), points_.mass.end()), step_};
     box_ = {0, nodes_.storage.columns - 1, 0, nodes_.storage.rows - 1};
@@ -234,7 +245,10 @@ class Run {
 
 }  // namespace
 
-double EnergyAudit::error() const { return missing() / std::abs(gravity_work); }
+double EnergyAudit::error() const {
+  const double measure = std::max(std::abs(gravity_work), least_work);
+  return measure > 0 ? missing() / measure : 0;
+}
 
 double step_limit(const Model& model) {
   double fastest = 0;
@@ -245,7 +259,7 @@ double step_limit(const Model& model) {
 double time_step(const Model& model) {
   const double limit = step_limit(model);
   const double step = model.time.step.value_or(model.time.step_fraction * limit);
-  if (step <= limit) return step;
+  if (step <= limit || !model.refuses_long_steps) return step;
   throw Error(ExitCode::data, "the time step of " + format_brief(step) + " s is beyond the stability limit of " + format_brief(limit) +
                                   " s (smallest cell over the fastest wave); take a smaller step, or 'step_fraction'");
 }

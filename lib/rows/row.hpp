@@ -43,7 +43,7 @@ struct Row {
   double displaced_area = 0;  // area of the section that moved, m2
   double rest_time = 0;       // when the slide came to rest, s
   std::uint64_t steps = 0;
-  double energy_error = 0;    // error of the energy balance over the work of gravity
+  double energy_error = 0;    // error of the energy balance over the work of gravity or, where soil hardly sinks, over what it started with
   std::uint64_t floored = 0;  // field values that were raised to the floor
 };
 
