@@ -130,8 +130,9 @@ int main(int argc, char** argv) {
   using namespace slidezone;
   Options options;
   CLI::App app(
-      "Fail one slope once with the material point method and print one row: influence and runout distance, status,\n"
-      "energy balance. Without --points every soil has its scene's strength everywhere (realization 0).",
+      "Fail one slope once with the material point method and print one row\n\n"
+      "The row holds influence and runout distance, status and energy balance; data-schemas/row.json explains its columns.\n"
+      "Without --points every soil has its scene's strength everywhere, and the row is that of realization 0.",
       "mpmrun");
   app.add_option("scene", options.scene, "Scene file; - for stdin")->required();
   app.add_option("-o,--output", options.output, "The row, as TSV; - for stdout")->capture_default_str();
