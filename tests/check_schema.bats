@@ -1,7 +1,7 @@
 # tests/check_schema.py itself: sound files pass, and each kind of fault is found. Real files are held by the tools' own tests.
 load helper
 
-check() { run python3 "$TOP/tests/check_schema.py" "$BATS_TEST_TMPDIR/description.json" "$BATS_TEST_TMPDIR/file"; }
+check() { run /usr/bin/python3 "$TOP/tests/check_schema.py" "$BATS_TEST_TMPDIR/description.json" "$BATS_TEST_TMPDIR/file"; }
 
 describe() { cat >"$BATS_TEST_TMPDIR/description.json"; }
 
@@ -62,6 +62,14 @@ table() {
   : >"$BATS_TEST_TMPDIR/file"
   check
   assert_failure 2
+}
+
+@test "every schema that the sources name has a description, in a file of its name" {
+  local schema
+  while read -r schema; do
+    run grep -l "\"schema\": \"$schema\"" "$TOP"/data-schemas/*.json
+    assert_output "$TOP/data-schemas/$(sed 's/^slidezone-//; s/ .*//' <<<"$schema").json"
+  done < <(grep -rhoE '"slidezone-[a-z-]+ [0-9]+"' "$TOP/lib" "$TOP/tools" | tr -d '"' | sort -u)
 }
 
 describe_toml() {

@@ -171,10 +171,13 @@ std::string profile_table(const Scene& scene, const MaterialPoints& initial, con
   const auto top = [](const std::vector<double>& tops, std::size_t column) {
     return format_real(column < tops.size() ? tops[column] : std::numeric_limits<double>::quiet_NaN());
   };
+  Provenance with_ends = provenance;
+  with_ends.details.emplace_back("crest_m", format_real(scene.slope.crest.x));
+  with_ends.details.emplace_back("toe_m", format_real(scene.slope.toe.x));
   Table table({"x_m", "surface_m", "initial_m"});
   for (std::size_t column = 0; column < std::max(before.size(), after.size()); ++column)
     table.add_row({format_real((static_cast<double>(column) + 0.5) * width), top(after, column), top(before, column)});
-  return to_tsv(table, provenance);
+  return to_tsv(table, with_ends);
 }
 
 }  // namespace slidezone
