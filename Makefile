@@ -63,7 +63,9 @@ endef
 # ---- the main jobs ------------------------------------------------------------------------------------------------------
 
 demo: setup all
+	@echo "Failing the benchmark slope once, at full resolution"
 	@$(MAKE) --no-print-directory --directory pipelines/benchmark --jobs=$(JOBS)
+	@echo && echo "Failing a small one 24 times, with random strength"
 	@$(MAKE) --no-print-directory --directory pipelines/demo --jobs=$(JOBS)
 
 check: setup all

@@ -7,21 +7,22 @@
 #
 #   make -j8            everything, into out/; stop it at any time, the same command goes on where it stopped
 #   make -j8 N=2000     another number of realizations; after N=1000 only the new thousand is run
-#   make rows           the runs alone
+#   make rows           the runs alone; make tables: and what follows from them but pictures
 #   make Q=             show each command
 #   make clean          remove out/
 #
 # What comes of it, in OUT:
 #   fields/K.h5 points/K.h5   realizations K to K+49: rfgen's and rfmap's files. Batches are always full, so that a greater N
 #                             changes none of them
-#   rows/K.tsv                realization K: mpmrun's row
+#   rows/K.tsv                realization K: mpmrun's row; 0 is the deterministic run
 #   rows.tsv                  all rows, and from them statistics.tsv, classes.tsv, curve.tsv
 #   structures.tsv            the classes of the structures listed in STRUCTURES
 #   shown/                    realization SHOWN in full: material points, ground surface, state for ParaView
 #   *.png *.svg, summary.txt
 # A scene without [field] is one deterministic run, realization 0: shown/ and its picture.
 #
-# A change of the scene's text makes everything anew; a new build of the tools does not: say make clean first.
+# What is there is kept only as long as the scene's text and the bytes of the tools that made it are the same: rows of two scenes
+# or of two versions never stand in one table.
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DELETE_ON_ERROR:
@@ -31,7 +32,6 @@ MAKEFLAGS += --no-builtin-rules --warn-undefined-variables
 here := $(dir $(lastword $(MAKEFILE_LIST)))
 TOOLS ?= $(abspath $(here)../build/bin)
 export PATH := $(TOOLS):$(PATH)
-$(if $(shell PATH='$(PATH)' command -v mpmrun),,$(error mpmrun is neither in $(TOOLS) nor in PATH: run make at the top level first))
 
 SCENE ?= scene.toml
 OUT ?= out
@@ -68,25 +68,33 @@ endif
 points_of = $(OUT)/points/$(patsubst %/,%,$(dir $1)).h5
 row_of = $(OUT)/rows/$(notdir $1).tsv
 batches := $(sort $(foreach pair,$(numbered),$(call points_of,$(pair))))
-rows := $(foreach pair,$(numbered),$(call row_of,$(pair)))
+random_rows := $(foreach pair,$(numbered),$(call row_of,$(pair)))
+rows := $(if $(is_random),$(OUT)/rows/000000.tsv $(random_rows))
 shown := $(addprefix $(OUT)/shown/,row.tsv points.tsv surface.tsv state.hdf)
 shown_points := $(if $(is_random),$(shell printf '$(OUT)/points/%06d.h5' $$(($(SHOWN) - ($(SHOWN) - 1) % $(batch_size)))))
 tables := $(if $(is_random),$(addprefix $(OUT)/,statistics.tsv classes.tsv curve.tsv $(if $(STRUCTURES),structures.tsv)))
 pictures := $(OUT)/slope.png $(if $(is_random),$(OUT)/exceedance.png $(OUT)/zones.png)
 
-.PHONY: all rows pictures clean FORCE
+.PHONY: all rows tables pictures clean FORCE
 all: $(OUT)/summary.txt
 	@cat $<
 rows: $(or $(rows),$(OUT)/shown/row.tsv)
+tables: $(tables)
 pictures: $(pictures)
 clean:
 	rm -rf $(OUT)
 
 # ---- what results depend on beside files --------------------------------------------------------------------------------
 
-# Rewritten only where it differs, so that a mere touch of the scene costs nothing and another SCENE is noticed.
+# Each is rewritten only where it differs, so that a mere touch of the scene or an equal build costs nothing.
 $(OUT)/scene.toml: FORCE | $(OUT)
 	@cmp -s $(SCENE) $@ || cp $(SCENE) $@
+
+run_tools := rfgen rfmap mpmrun
+$(OUT)/tools.sum: FORCE | $(OUT)
+	$(foreach tool,$(run_tools),$(if $(shell PATH='$(PATH)' command -v $(tool)),,\
+	  $(error $(tool) is neither in $(TOOLS) nor in PATH: run make at the top level first)))
+	@sums=$$(cat $$(command -v $(run_tools)) | cksum); [[ -e $@ && $$sums == "$$(<$@)" ]] || echo "$$sums" >$@
 
 # A smaller N makes no new row, but other tables.
 $(OUT)/realizations: FORCE | $(OUT)
@@ -101,18 +109,23 @@ $(OUT) $(OUT)/fields $(OUT)/points $(OUT)/rows $(OUT)/shown:
 
 number = $$((10\#$*))
 
-$(OUT)/fields/%.h5: $(OUT)/scene.toml | $(OUT)/fields
+made_by := $(OUT)/scene.toml $(OUT)/tools.sum
+
+$(OUT)/fields/%.h5: $(made_by) | $(OUT)/fields
 	$(Q)rfgen $(SCENE) --first $(number) -n $(batch_size) --quiet -o $@
 
 $(OUT)/points/%.h5: $(OUT)/fields/%.h5 | $(OUT)/points
 	$(Q)rfmap $(SCENE) $< --quiet -o $@
 
 $(foreach pair,$(numbered),$(eval $(call row_of,$(pair)): $(call points_of,$(pair))))
-$(rows): $(OUT)/rows/%.tsv: $(OUT)/scene.toml | $(OUT)/rows
+$(random_rows): $(OUT)/rows/%.tsv: $(made_by) | $(OUT)/rows
 	$(Q)mpmrun $(SCENE) --points $(filter %.h5,$^) --sample $(number) --quiet -o $@
 	@$(here)progress $(OUT) $(N) $(started)
 
 started := $(shell date +%s)
+
+$(OUT)/rows/000000.tsv: $(made_by) | $(OUT)/rows
+	$(Q)mpmrun $(SCENE) --quiet -o $@
 
 # Thousands of names do not fit on a command line. Of equal provenance and header lines, the first is kept.
 $(OUT)/rows.tsv: $(rows) $(OUT)/realizations
@@ -122,22 +135,22 @@ $(OUT)/rows.tsv: $(rows) $(OUT)/realizations
 
 # ---- one realization in full --------------------------------------------------------------------------------------------
 
-$(shown) &: $(OUT)/scene.toml $(shown_points) | $(OUT)/shown
-	$(Q)mpmrun $(SCENE) $(if $(is_random),--points $(shown_points) --sample $(SHOWN)) -o $(OUT)/shown/row.tsv \
+$(shown) &: $(made_by) $(shown_points) | $(OUT)/shown
+	$(Q)mpmrun $(SCENE) $(if $(is_random),--points $(shown_points) --sample $(SHOWN) --quiet) -o $(OUT)/shown/row.tsv \
 	  --table $(OUT)/shown/points.tsv --profile $(OUT)/shown/surface.tsv --state $(OUT)/shown/state.hdf
 
 # ---- statistics and zones -----------------------------------------------------------------------------------------------
 
-$(OUT)/statistics.tsv: $(OUT)/rows.tsv
+$(OUT)/statistics.tsv: $(OUT)/rows.tsv $(wildcard $(TOOLS)/mcstats)
 	$(Q)mcstats $< -o $@
 
-$(OUT)/classes.tsv: $(OUT)/rows.tsv
+$(OUT)/classes.tsv: $(OUT)/rows.tsv $(wildcard $(TOOLS)/zoning)
 	$(Q)zoning $< --classes -o $@
 
-$(OUT)/curve.tsv: $(OUT)/rows.tsv
+$(OUT)/curve.tsv: $(OUT)/rows.tsv $(wildcard $(TOOLS)/zoning)
 	$(Q)zoning $< --curve -o $@
 
-$(OUT)/structures.tsv: $(OUT)/rows.tsv $(STRUCTURES)
+$(OUT)/structures.tsv: $(OUT)/rows.tsv $(STRUCTURES) $(wildcard $(TOOLS)/zoning)
 	$(Q)zoning $< --structures $(STRUCTURES) -o $@
 
 # ---- pictures: each as PNG and SVG --------------------------------------------------------------------------------------
@@ -151,7 +164,7 @@ $(OUT)/exceedance.png $(OUT)/exceedance.svg &: $(OUT)/curve.tsv $(here)plots/exc
 	$(plot) $(OUT)/curve.tsv
 
 $(OUT)/zones.png $(OUT)/zones.svg &: $(OUT)/classes.tsv $(filter %/structures.tsv,$(tables)) $(shown) $(here)plots/zones.gp
-	$(plot) $(OUT)/classes.tsv $(OUT)/shown/surface.tsv $(filter %/structures.tsv,$^)
+	$(plot) $(OUT)/classes.tsv $(OUT)/shown/surface.tsv $(SHOWN) $(filter %/structures.tsv,$^)
 
 result_rows := $(if $(is_random),$(OUT)/rows.tsv,$(OUT)/shown/row.tsv)
 shown_out := $(patsubst $(abspath $(here)..)/%,%,$(abspath $(OUT)))

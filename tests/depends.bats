@@ -1,7 +1,7 @@
 # Who includes whom: lib/DEPENDS against the sources, and the checker against made-up trees with one fault each.
 load helper
 
-check() { run python3 "$TOP/tests/check_depends.py" "$1"; }
+check() { run /usr/bin/python3 "$TOP/tests/check_depends.py" "$1"; }
 
 # A tree of one module `low` and one module `high` that may include it.
 setup() {

@@ -51,6 +51,6 @@ tsv_value() {
 assert_schema() {
   local description=$TOP/data-schemas/$1.json
   [[ -e $description ]] || description=$TOP/data-schemas/$1.schema.json
-  run python3 "$TOP/tests/check_schema.py" "$description" "$2"
+  run /usr/bin/python3 "$TOP/tests/check_schema.py" "$description" "$2"
   assert_success
 }

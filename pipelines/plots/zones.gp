@@ -1,20 +1,20 @@
 # The zones on the slope's section: how far slides reach with which probability, and what stands there.
-# usage: gnuplot -c zones.gp PICTURE CLASSES SURFACE [STRUCTURES]
-# writes PICTURE.png and PICTURE.svg from zoning's classes and structures and from mpmrun's --profile
+# usage: gnuplot -c zones.gp PICTURE CLASSES SURFACE RUN [STRUCTURES]
+# writes PICTURE.png and PICTURE.svg from zoning's classes and structures and from mpmrun's --profile of run number RUN
 picture = ARG1
 classes = ARG2
 surface = ARG3
-structures = ARG4
+run = ARG4
+structures = ARG5
 set datafile separator tab
 set datafile commentschars "#"
 
-# Crest and toe: where the initial surface leaves its top and where it comes down to the base.
+# Crest and toe stand in the profile's provenance, the greatest height in its columns.
+detail(name) = real(system("sed -n 's/^# ".name.": //p' ".surface))
+crest = detail("crest_m")
+toe = detail("toe_m")
 stats surface using "initial_m" nooutput
 top = STATS_max
-stats surface using (column("initial_m") > top - 1e-6 ? column("x_m") : NaN) nooutput
-crest = STATS_max
-stats surface using (column("initial_m") > 1e-6 ? column("x_m") : NaN) nooutput
-toe = STATS_max
 
 # A distance of a quantity, or on a side, as x.
 place(quantity, distance) = quantity eq "influence_m" ? crest - distance : toe + distance
@@ -91,8 +91,9 @@ do for [format in "png svg"] {
     NaN with boxes fc rgb very_low title "very low", \
     NaN with boxes fc rgb untold title "beyond all runs, too few to tell", \
     surface using "x_m":"initial_m" with filledcurves y1=0 fc rgb "#e3dccb" notitle, \
+    0 with lines lc rgb "#5b4a2f" lw 2 notitle, \
     surface using "x_m":"initial_m" with lines lc rgb "#5b4a2f" lw 2 title "ground before", \
-    surface using "x_m":"surface_m" with lines lc rgb "#08306b" lw 2 dt (8,5) title "ground after one of the runs", \
+    surface using "x_m":"surface_m" with lines lc rgb "#08306b" lw 2 dt (8,5) title "ground after run ".run, \
     classes using (start("influence_m", crest)):(0):(near):(from):(strip_low):(strip_high):(color(strcol("class"))) \
       with boxxyerror fc rgb variable notitle, \
     classes using (start("runout_m", toe)):(0):(near):(from):(strip_low):(strip_high):(color(strcol("class"))) \

@@ -1,0 +1,213 @@
+# Studies: pipelines/study.mk with the real tools on a tiny scene, each tool behind a stand-in that notes its calls.
+load helper
+
+setup() {
+  study=$BATS_TEST_TMPDIR/study
+  tools=$BATS_TEST_TMPDIR/tools
+  export calls=$BATS_TEST_TMPDIR/calls
+  mkdir "$study" "$tools"
+  cp "$TOP/tests/scenes/tiny.toml" "$study/scene.toml"
+  printf 'name\tside\tdistance_m\nhut\ttoe\t1\nmast\tcrest\t3\n' >"$study/structures.tsv"
+  printf '%s\n' 'SCENE := scene.toml' "include $TOP/pipelines/study.mk" >"$study/Makefile"
+  # A stand-in notes its call, does what the file before.TOOL says if there is one, and becomes the tool.
+  export real=$SLIDEZONE_BIN hooks=$BATS_TEST_TMPDIR
+  local tool
+  for tool in rfgen rfmap mpmrun mcstats zoning; do
+    cat >"$tools/$tool" <<'END'
+#!/usr/bin/env bash
+set -eu
+tool=$(basename "$0")
+echo "$tool $*" >>"$calls"
+if [[ -e $hooks/before.$tool ]]; then . "$hooks/before.$tool"; fi
+exec "$real/$tool" "$@"
+END
+    chmod +x "$tools/$tool"
+  done
+  forget_calls
+}
+
+# before TOOL <<<COMMANDS: what its stand-in does first.
+before() { cat >"$hooks/before.$1"; }
+
+forget_calls() { : >"$calls"; }
+
+run_study() { run make --no-print-directory -C "$study" TOOLS="$tools" "$@"; }
+
+# samples_run: the realizations that mpmrun was called for, in order, on one line.
+samples_run() { sed -n 's/^mpmrun .*--sample \([0-9]*\) .*-o out.rows.*/\1/p' "$calls" | sort -n | xargs; }
+
+# sums OUT: checksums of all tables and HDF5 files of a study.
+sums() { (cd "$1" && find . -name '*.tsv' -o -name '*.h5' -o -name '*.hdf' | sort | xargs md5sum); }
+
+@test "a study leaves rows, tables that obey their schemas, pictures and a summary" {
+  run_study
+  assert_success
+  assert_output --partial "Tiny: 2 m slope"
+  assert_equal "$(samples_run)" "1 2 3 4"
+  local table
+  for table in rows/000003.tsv:row rows.tsv:row statistics.tsv:statistics classes.tsv:classes curve.tsv:curve structures.tsv:structures \
+    shown/row.tsv:row shown/points.tsv:table shown/surface.tsv:profile shown/state.hdf:state fields/000001.h5:fields points/000001.h5:points; do
+    assert_schema "${table#*:}" "$study/out/${table%:*}"
+  done
+  assert_equal "$(grep -c '^[0-9]' "$study/out/rows.tsv")" 5
+  local picture
+  for picture in slope exceedance zones; do
+    assert_equal "$(head -c 8 "$study/out/$picture.png" | od -An -tx1 | xargs)" "89 50 4e 47 0d 0a 1a 0a"
+    run grep -c '</svg>' "$study/out/$picture.svg"
+    assert_output 1
+  done
+}
+
+@test "a greater N runs only the new realizations, a smaller one none" {
+  run_study tables N=3
+  assert_success
+  forget_calls
+  run_study tables N=6
+  assert_success
+  assert_equal "$(samples_run)" "4 5 6"
+  run ! grep -E '^(rfgen|rfmap)' "$calls"
+  forget_calls
+  run_study tables N=2
+  assert_success
+  assert_equal "$(samples_run)" ""
+  assert_equal "$(grep -c '^[0-9]' "$study/out/rows.tsv")" 3
+}
+
+@test "what was done is not done again; a touch of the scene changes nothing, another text everything" {
+  run_study tables N=2
+  assert_success
+  forget_calls
+  touch "$study/scene.toml"
+  run_study tables N=2
+  assert_success
+  assert_equal "$(<"$calls")" ""
+  sed -i 's/^seed = 1/seed = 2/' "$study/scene.toml"
+  run_study tables N=2
+  assert_success
+  assert_equal "$(samples_run)" "1 2"
+  run grep -c '^rfgen' "$calls"
+  assert_output 1
+}
+
+@test "another build of mpmrun runs everything anew, an equal one nothing" {
+  run_study tables N=2
+  assert_success
+  forget_calls
+  cp "$tools/mpmrun" "$tools/copy" && mv "$tools/copy" "$tools/mpmrun"
+  run_study tables N=2
+  assert_success
+  assert_equal "$(<"$calls")" ""
+  echo '# another build' >>"$tools/mpmrun"
+  run_study tables N=2
+  assert_success
+  assert_equal "$(samples_run)" "1 2"
+}
+
+@test "a study has the same bytes under any -j" {
+  run_study tables N=6 --jobs=1
+  assert_success
+  mv "$study/out" "$study/one"
+  run_study tables N=6 --jobs=3
+  assert_success
+  assert_equal "$(sums "$study/out")" "$(sums "$study/one")"
+}
+
+@test "an interrupted study leaves whole rows, and the same command finishes it" {
+  run_study tables N=5
+  assert_success
+  mv "$study/out" "$study/undisturbed"
+  # During realization 3, make is told to stop, as by a shutdown.
+  before mpmrun <<<"[[ \"\$*\" != *'--sample 3 '* ]] || kill -TERM \$(<$study/make.pid)"
+  run bash -c "echo \$\$ >'$study/make.pid'; exec make -C '$study' TOOLS='$tools' tables N=5"
+  assert_failure
+  assert_not_exist "$study/out/rows.tsv"
+  assert_not_exist "$study/out/rows/000003.tsv"
+  assert_equal "$(find "$study/out/rows" -type f ! -name '00000?.tsv')" ""
+  local row
+  for row in "$study"/out/rows/*; do assert_schema row "$row"; done
+  rm "$hooks/before.mpmrun"
+  forget_calls
+  run_study tables N=5
+  assert_success
+  assert_equal "$(samples_run)" "3 4 5"
+  assert_equal "$(sums "$study/out")" "$(sums "$study/undisturbed")"
+}
+
+@test "a run that diverged is a row that is counted" {
+  before mpmrun <<'END'
+if [[ "$*" == *'--sample 2 '* ]]; then
+  "$real/mpmrun" "$@"
+  sed -i -E 's/^2\t\w+\t[^\t]*\t[^\t]*/2\tdiverged\tnan\tnan/' "${@: -1}"
+  exit
+fi
+END
+  run_study N=5
+  assert_success
+  assert_output --partial "1 diverged"
+  run awk '$1 == "runs" && $2 == "diverged" { print $3 }' "$study/out/statistics.tsv"
+  assert_output 1
+}
+
+@test "a tool that fails stops the study and leaves no row" {
+  before mpmrun <<<"exit 70"
+  run_study tables N=2
+  assert_failure 2
+  assert_equal "$(find "$study/out/rows" -type f)" ""
+}
+
+@test "thousands of rows pass, more than a command line holds" {
+  run_study tables N=2
+  assert_success
+  # Rows, points and fields as if 7000 realizations had been run, from those of two.
+  local k
+  for ((k = 51; k <= 7000; k += 50)); do printf "$study/out/fields/%06d.h5\n$study/out/points/%06d.h5\n" $k $k; done | xargs touch
+  for ((k = 3; k <= 7000; ++k)); do printf -v row "$study/out/rows/%06d.tsv" $k; sed "s/^2\t/$k\t/" "$study/out/rows/000002.tsv" >"$row"; done
+  forget_calls
+  run_study out/statistics.tsv N=7000
+  assert_success
+  assert_equal "$(samples_run)" ""
+  assert_equal "$(grep -c '^[0-9]' "$study/out/rows.tsv")" 7001
+}
+
+@test "a scene without a field is one deterministic run" {
+  sed -i '/^\[field/,$d' "$study/scene.toml"
+  run_study
+  assert_success
+  assert_output --partial "With one strength everywhere"
+  run cat "$calls"
+  assert_equal "${#lines[@]}" 1
+  assert_output --regexp '^mpmrun '
+  assert_schema row "$study/out/shown/row.tsv"
+  assert_exist "$study/out/slope.png"
+}
+
+@test "a wrong N, a broken scene, missing tools: a message, and nothing is made" {
+  run_study N=010
+  assert_failure
+  assert_output --partial "N, the number of realizations, is '010'"
+  echo 'x = [' >>"$study/scene.toml"
+  run_study
+  assert_failure
+  assert_output --partial "scene.toml: tomllib"
+  cp "$TOP/tests/scenes/tiny.toml" "$study/scene.toml"
+  PATH=/usr/bin:/bin run make -C "$study" TOOLS=nowhere
+  assert_failure
+  assert_output --partial "rfgen is neither in nowhere nor in PATH"
+  assert_equal "$(<"$calls")" ""
+}
+
+@test "through pipes the tools give the same row as through files" {
+  cd "$study"
+  run_study tables N=2
+  assert_success
+  # shellcheck disable=SC2002
+  rfgen scene.toml -n 1 --first 2 | rfmap scene.toml - | mpmrun scene.toml --points - --sample 2 >piped.tsv
+  run cmp <(grep -v '^#' piped.tsv) <(grep -v '^#' out/rows/000002.tsv)
+  assert_success
+  cat out/rows/*.tsv | mcstats | grep -v '^#' >piped.tsv
+  run cmp piped.tsv <(grep -v '^#' out/statistics.tsv)
+  assert_success
+  cat out/rows/*.tsv | zoning --curve | grep -v '^#' >piped.tsv
+  run cmp piped.tsv <(grep -v '^#' out/curve.tsv)
+  assert_success
+}
