@@ -9,6 +9,8 @@
 #   make -j8 N=2000     another number of realizations; after N=1000 only the new thousand is run
 #   make rows           the runs alone; make tables: and what follows from them but pictures
 #   make Q=             show each command
+#   make -j8 converge   as many realizations as the targets want: TARGETS="mean=0.2 runout_m:quantile_0.9=0.5" (rules of mcstats
+#                       --stop), looking after LEAST=100 runs and then after each fifth more, at most CAP=10000
 #   make clean          remove out/
 #
 # What comes of it, in OUT:
@@ -75,12 +77,18 @@ shown_points := $(if $(is_random),$(shell printf '$(OUT)/points/%06d.h5' $$(($(S
 tables := $(if $(is_random),$(addprefix $(OUT)/,statistics.tsv classes.tsv curve.tsv $(if $(STRUCTURES),structures.tsv)))
 pictures := $(OUT)/slope.png $(if $(is_random),$(OUT)/exceedance.png $(OUT)/zones.png)
 
-.PHONY: all rows tables pictures clean FORCE
+TARGETS ?= mean=0.2
+LEAST ?= 100
+CAP ?= 10000
+
+.PHONY: all rows tables pictures converge clean FORCE
 all: $(OUT)/summary.txt
 	@cat $<
 rows: $(or $(rows),$(OUT)/shown/row.tsv)
 tables: $(tables)
 pictures: $(pictures)
+converge:
+	+$(Q)$(here)converge '$(MAKE)' $(OUT) $(LEAST) $(CAP) $(TARGETS)
 clean:
 	rm -rf $(OUT)
 
