@@ -148,6 +148,20 @@ END
   assert_output 1
 }
 
+@test "a study of which every run diverged comes to its end and says so" {
+  before mpmrun <<'END'
+if [[ "$*" == *'-o out/rows/'* ]]; then
+  "$real/mpmrun" "$@"
+  sed -i -E 's/^([0-9]+)\t\w+\t[^\t]*\t[^\t]*/\1\tdiverged\tnan\tnan/' "${@: -1}"
+  exit
+fi
+END
+  run_study N=3
+  assert_success
+  assert_output --partial "0 slid, 0 stable, 0 left the grid, 3 diverged"
+  assert_output --partial "unknown, perhaps very high"
+}
+
 @test "a tool that fails stops the study and leaves no row" {
   before mpmrun <<<"exit 70"
   run_study tables N=2

@@ -20,10 +20,13 @@ top = STATS_max
 place(quantity, distance) = quantity eq "influence_m" ? crest - distance : toe + distance
 place_on(side, distance) = side eq "crest" ? crest - distance : toe + distance
 
+# A distance that no run could give (all diverged) counts as none.
+known(name) = strcol(name) eq "nan" ? 0 : column(name)
+
 # Where each quantity's last zone ends, and whether the sample bounds that from above.
-stats classes using (strcol("quantity") eq "influence_m" ? (crest_is_told = strcol("ci_high_m") ne "unbounded", column("distance_m")) : NaN) nooutput
+stats classes using (strcol("quantity") eq "influence_m" ? (crest_is_told = strcol("ci_high_m") ne "unbounded", known("distance_m")) : NaN) nooutput
 crest_reach = STATS_max
-stats classes using (strcol("quantity") eq "runout_m" ? (toe_is_told = strcol("ci_high_m") ne "unbounded", column("distance_m")) : NaN) nooutput
+stats classes using (strcol("quantity") eq "runout_m" ? (toe_is_told = strcol("ci_high_m") ne "unbounded", known("distance_m")) : NaN) nooutput
 toe_reach = STATS_max
 
 # The picture ends beyond the last zone and the last structure.
@@ -48,7 +51,7 @@ spoken(class) = class eq "very_high" ? "very high" : class eq "very_low" ? "very
 # A zone of `wanted` lies between `near`, the boundary before it, and `from`, its own; the first begins at crest or toe.
 near = crest; from = crest
 start(wanted, origin) = strcol("quantity") ne wanted ? NaN : \
-  (near = strcol("class") eq "very_high" ? origin : from, from = place(wanted, column("distance_m")), near)
+  (near = strcol("class") eq "very_high" ? origin : from, from = place(wanted, known("distance_m")), near)
 # They are drawn as a strip below the base.
 strip_low = -0.26 * top
 strip_high = -0.04 * top
@@ -56,7 +59,8 @@ strip_high = -0.04 * top
 # Below the strip, a line for each boundary: its distance and the 95 % interval of that, an arrow where there is no upper end.
 line_y(probability) = -0.5 * top - 0.17 * top * int(0.5 - log10(probability))
 is_bounded(name) = strcol(name) ne "unbounded"
-end_of(quantity, name) = is_bounded(name) ? place(quantity, column(name)) : limit(quantity)
+near_end(quantity) = place(quantity, is_bounded("ci_low_m") ? column("ci_low_m") : 0)
+far_end(quantity) = is_bounded("ci_high_m") ? place(quantity, column("ci_high_m")) : limit(quantity)
 of(wanted, value) = strcol("quantity") eq wanted ? value : NaN
 
 # Structures stand on the initial ground.
@@ -103,16 +107,16 @@ do for [format in "png svg"] {
     "+" every ::0::0 using (0):(0):(toe + toe_reach):(right):(strip_low):(strip_high) \
       with boxxyerror fc rgb (toe_is_told ? very_low : untold) notitle, \
     for [q in "influence_m runout_m"] classes \
-      using (of(q, end_of(q, "ci_low_m"))):(line_y(column("probability"))):(end_of(q, "ci_high_m") - end_of(q, "ci_low_m")):(0) \
+      using (of(q, near_end(q))):(line_y(column("probability"))):(far_end(q) - near_end(q)):(0) \
       with vectors nohead lw 3 lc rgb "#555555" notitle, \
     for [q in "influence_m runout_m"] classes \
-      using (is_bounded("ci_high_m") ? NaN : of(q, end_of(q, "ci_low_m"))):(line_y(column("probability"))):\
-            (end_of(q, "ci_high_m") - end_of(q, "ci_low_m")):(0) \
+      using (is_bounded("ci_high_m") ? NaN : of(q, near_end(q))):(line_y(column("probability"))):\
+            (far_end(q) - near_end(q)):(0) \
       with vectors head filled size 0.5,20 fixed lw 3 lc rgb "#555555" notitle, \
-    for [q in "influence_m runout_m"] classes using (of(q, end_of(q, "distance_m"))):(line_y(column("probability"))) \
+    for [q in "influence_m runout_m"] classes using (of(q, place(q, known("distance_m")))):(line_y(column("probability"))) \
       with points pt 7 ps 2 lc rgb "black" notitle, \
     for [q in "influence_m runout_m"] classes \
-      using (of(q, end_of(q, "distance_m"))):(line_y(column("probability"))):(color(strcol("class"))) \
+      using (of(q, place(q, known("distance_m")))):(line_y(column("probability"))):(color(strcol("class"))) \
       with points pt 7 ps 1.6 lc rgb variable notitle, \
     classes using (of("runout_m", (crest + toe) / 2)):(line_y(column("probability"))):(sprintf("%g %%", 100 * column("probability"))) \
       with labels font ",12" notitle
