@@ -1,6 +1,7 @@
 # slidezone: `make` builds, `make demo` shows, `make check` tests. Both of the latter install what is missing first.
 #
-#   make                       build the tools into build/bin
+#   make                       build everything: the tools into build/bin, their man pages, the tests
+#   make tools                 build the tools alone
 #   make setup                 install the Debian packages that are missing, as root or through sudo
 #   make demo                  set up, build, run the benchmark and a small study, draw the pictures
 #   make check                 set up, build, run all tests but the slow ones
@@ -24,13 +25,16 @@ PACKAGES := g++ cmake make pkg-config libeigen3-dev libgsl-dev libhdf5-dev libcl
             gnuplot-nox help2man
 PACKAGES_SLOW := python3-vtk9 r-base-core r-cran-nortest r-cran-boot
 
-.PHONY: all setup demo check check-slow install clean
+.PHONY: all tools setup demo check check-slow install clean
 
 # CMake's own makefiles are not clean under our flags.
 cmake := env -u MAKEFLAGS -u MAKELEVEL cmake
 
 all: $(BUILD)/CMakeCache.txt
 	$(cmake) --build $(BUILD) --parallel $(JOBS)
+
+tools: $(BUILD)/CMakeCache.txt
+	$(cmake) --build $(BUILD) --parallel $(JOBS) --target tools
 
 $(BUILD)/CMakeCache.txt: CMakeLists.txt
 	$(if $(missing),$(error not installed: $(missing); 'make setup' installs them))
@@ -62,7 +66,7 @@ endef
 
 # ---- the main jobs ------------------------------------------------------------------------------------------------------
 
-demo: setup all
+demo: setup tools
 	@echo "Failing the benchmark slope once, at full resolution"
 	@$(MAKE) --no-print-directory --directory pipelines/benchmark --jobs=$(JOBS)
 	@echo && echo "Failing a small one 24 times, with random strength"
