@@ -31,6 +31,25 @@ without_sudo() {  # a PATH that holds the stand-ins and what make needs, but no 
 
 run_make() { PATH=$make_path run make --no-print-directory -C "$TOP" PACKAGES="make gcc bats cmake" "$@"; }
 
+@test "the top level holds what README names and nothing else" {
+  run git -C "$TOP" ls-tree --name-only HEAD
+  assert_success
+  run grep -v '^\.' <<<"$output"
+  assert_output "$(printf '%s\n' CMakeLists.txt LICENSE Makefile README.md data-schemas lib pipelines tests tools)"
+}
+
+@test "README shows every tool and names no file that is not there" {
+  cd "$TOP"
+  local tool file
+  for tool in tools/*.cpp; do
+    run grep -c "^| \`$(basename "$tool" .cpp)\` |" README.md
+    assert_output 1
+  done
+  for file in $(grep -oE '(pipelines|data-schemas|tests|lib|tools)/[A-Za-z0-9_./-]*[A-Za-z0-9_/]' README.md | grep -v /out/ | sort -u); do
+    assert_exists "$file"
+  done
+}
+
 @test "nothing missing: apt-get is not called" {
   installed_are make gcc bats cmake
   run_make setup
