@@ -20,7 +20,7 @@ DESTDIR :=
 JOBS := $(shell nproc)
 
 # What building, testing and the demo need, and what the slow tests need on top.
-PACKAGES := g++ cmake make pkg-config libeigen3-dev libgsl-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libudunits2-dev \
+PACKAGES := g++ cmake make pkg-config libeigen3-dev libfftw3-dev libgsl-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libudunits2-dev \
             librandom123-dev libxxhash-dev libgtest-dev bats bats-assert bats-support bats-file python3-jsonschema hdf5-tools \
             gnuplot-nox help2man
 PACKAGES_SLOW := python3-vtk9 r-base-core r-cran-nortest r-cran-boot

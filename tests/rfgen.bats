@@ -87,6 +87,56 @@ sample() { h5_numbers "$1" /cohesion -s "$2,0,0" -c 1,50,250; }
   assert_schema fields a.h5
 }
 
+# ---- methods ----
+
+# with LINES: the demo's scene with these lines in its field, and without its autocorrelation.
+with() { sed "s/^autocorrelation = .*/$1/" "$scene" >with.toml; }
+
+@test "--explain names the method and the reason, and draws nothing" {
+  run rfgen "$scene" --explain
+  assert_success
+  assert_line "method: sweep"
+  assert_line --regexp '^reason: a separable single exponential is'
+  assert_line "largest error of the covariance, of variance 1: rounding"
+  assert_line "share of the variance kept: 1"
+  with 'autocorrelation = "squared exponential"'
+  run rfgen with.toml --explain
+  assert_line "method: separable"
+  assert_line --regexp '^largest error of the covariance, of variance 1: [1-9][0-9.]*e-1[3-6]$'
+  with 'autocorrelation = "spherical"\nlag = "elliptical"'
+  run rfgen with.toml --explain
+  assert_line "method: circulant"
+  with 'autocorrelation = "squared exponential"\nmethod = "Karhunen-Loeve"\nvariance_kept = 0.9'
+  run rfgen with.toml --explain
+  assert_line "method: Karhunen-Loeve"
+  assert_line --regexp '^share of the variance kept: 0.90[0-9]*$'
+}
+
+@test "every autocorrelation can be drawn, bedded and not; samples differ" {
+  for name in "squared exponential" "second-order Markov" "third-order Markov" "cosine exponential" "spherical"; do
+    with "autocorrelation = \"$name\""
+    rfgen with.toml -n 2 -o a.h5
+    assert_schema fields a.h5
+    with "autocorrelation = \"$name\"\nlag = \"elliptical\"\nbedding_angle = \"20 deg\"\nnugget = 0.1"
+    rfgen with.toml --first 2 -n 1 -o b.h5
+    rfgen with.toml -n 2 -o c.h5
+    assert_equal "$(sample c.h5 1 | cksum)" "$(sample b.h5 0 | cksum)"
+    run ! cmp -s a.h5 c.h5
+  done
+}
+
+@test "a method that cannot do what the scene wants exits 65 and leaves nothing" {
+  with 'lag = "elliptical"\nmethod = "separable"'
+  run rfgen with.toml -n 1 -o fields.h5
+  assert_failure 65
+  assert_output --partial 'with.toml: [field.cohesion]: method "separable" wants a separable correlation'
+  sed 's/^cell = "0.1 m"/cell = "0.01 m"\nmethod = "Cholesky"/' "$scene" >dense.toml
+  run rfgen dense.toml -n 1 -o fields.h5
+  assert_failure 65
+  assert_output --partial 'would take 25000 GB of memory'
+  assert_not_exist fields.h5
+}
+
 # ---- samples ----
 
 @test "count and seed come from [study] unless given" {

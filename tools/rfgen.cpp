@@ -15,6 +15,7 @@
 #include "core/progress.hpp"
 #include "core/provenance.hpp"
 #include "core/random.hpp"
+#include "core/text.hpp"
 #include "core/tool.hpp"
 #include "field/random_field.hpp"
 #include "io/file.hpp"
@@ -29,6 +30,7 @@ struct Options {
   std::optional<std::uint64_t> count;  // absent: [study] realizations
   std::uint64_t first = 1;
   std::optional<std::uint64_t> seed;  // absent: [study] seed
+  bool explain = false;
   std::string output = "-";
 };
 
@@ -38,7 +40,7 @@ const char* const manual =
     R"(Samples of a scene's random field [field.cohesion], one value per cell of the field's mesh.
 
 Samples are numbered from 1. Sample K depends on the scene's field, the seed and K alone: it is the same whenever, wherever and with
-whatever other samples it is drawn. Values below the least residual cohesion of the scene's soils are raised to it and counted.
+whatever other samples it is drawn. The scene chooses autocorrelation and method; --explain says what that comes to. Values below the least residual cohesion of the scene's soils are raised to it and counted.
 The result is an HDF5 file; data-schemas/fields.json lists what it holds.)";
 
 /// The strength below which no soil of the scene can fall.
@@ -48,15 +50,10 @@ double least_residual(const Scene& scene) {
   return least;
 }
 
-FieldModel model_of(const FieldSpec& spec, double floor) {
-  const FieldMesh mesh{spec.cell_x, spec.cell_y, spec.cells_x, spec.cells_y};
-  return {mesh, spec.horizontal_scale, spec.vertical_scale, spec.mean, spec.cov, floor};
-}
-
 /// What is drawn: samples first ... first + count - 1 of a field.
 struct Draw {
   const FieldSpec& spec;
-  FieldModel model;
+  double floor;
   std::uint64_t seed;
   std::uint64_t first;
   std::uint64_t count;
@@ -67,42 +64,61 @@ Draw draw_of(const Options& options, const Scene& scene) {
   const std::uint64_t count = options.count.value_or(scene.study.realizations);
   if (count > last_sample - options.first + 1)
     throw Error(ExitCode::usage, "samples are numbered up to " + std::to_string(last_sample) + "; lower --first or --count");
-  return {spec, model_of(spec, least_residual(scene)), options.seed.value_or(scene.study.seed), options.first, count};
+  return {spec, least_residual(scene), options.seed.value_or(scene.study.seed), options.first, count};
 }
 
 /// Draws each sample when its turn to be written comes.
-void write_samples(const Draw& draw, Hdf5Writer& file, OutputFile& output) {
+void write_samples(const Draw& draw, RandomField& field, Hdf5Writer& file, OutputFile& output) {
   Progress progress("rfgen", is_quiet() ? Progress::Show::never : Progress::Show::on_terminal);
   const std::string& parameter = draw.spec.parameter;
+  const FieldMesh& mesh = draw.spec.model.mesh;
   std::vector<std::int64_t> realizations(draw.count);
   std::iota(realizations.begin(), realizations.end(), static_cast<std::int64_t>(draw.first));
   std::vector<std::int64_t> floored(draw.count);
 
   file.dataset("realization", realizations);
-  file.dataset_later(parameter, {draw.count, static_cast<std::size_t>(draw.spec.cells_y), static_cast<std::size_t>(draw.spec.cells_x)},
+  file.dataset_later(parameter, {draw.count, static_cast<std::size_t>(mesh.cells_y), static_cast<std::size_t>(mesh.cells_x)},
                      [&](std::size_t i, std::span<double> values) {
                        const auto sample = static_cast<std::uint32_t>(draw.first + i);
-                       floored[i] = static_cast<std::int64_t>(fill_sample(values, draw.model, {draw.seed, purpose(parameter), sample}));
+                       floored[i] = static_cast<std::int64_t>(field.fill_sample(values, {draw.seed, purpose(parameter), sample}));
                        progress.update(static_cast<double>(i + 1) / static_cast<double>(draw.count), "sample " + std::to_string(sample));
                      });
   file.attribute(parameter, "unit", std::string("Pa"));
-  file.attribute(parameter, "cell_x", draw.spec.cell_x);
-  file.attribute(parameter, "cell_y", draw.spec.cell_y);
+  file.attribute(parameter, "cell_x", mesh.cell_x);
+  file.attribute(parameter, "cell_y", mesh.cell_y);
   file.dataset_later("floored", draw.count,
                      [&](std::size_t, std::span<std::int64_t> values) { std::ranges::copy(floored, values.begin()); });
   file.write([&](std::string_view bytes) { output.write(bytes); });
 }
 
+/// What --explain prints: the method, why, and what it costs in accuracy.
+std::string explanation(const MethodReport& report) {
+  return "method: " + report.method + "\nreason: " + report.reason + "\nlargest error of the covariance, of variance 1: " +
+         (report.covariance_error > 0 ? format_brief(report.covariance_error, 2) : "rounding") +
+         "\nshare of the variance kept: " + format_brief(report.variance_kept, 6) + "\n";
+}
+
+/// The sampler of the scene's field; errors name the scene and the field.
+RandomField field_of(const Draw& draw, const Scene& scene) {
+  try {
+    return RandomField(draw.spec.model, draw.floor);
+  } catch (const Error& error) {
+    throw Error(error.code(), scene.name + ": [field." + draw.spec.parameter + "]: " + error.what());
+  }
+}
+
 void run(const Options& options) {
-  refuse_terminal(options.output);
+  if (!options.explain) refuse_terminal(options.output);
   const Scene scene = read_scene(options.scene, {.soil = true, .field = true});
   const Draw draw = draw_of(options, scene);
+  RandomField field = field_of(draw, scene);
+  if (options.explain) return write_output(options.output, explanation(field.report()));
   OutputFile output(options.output);
   Hdf5Writer file;
   Provenance origin = provenance("slidezone-fields 1", "rfgen");
   origin.details = {{"scene", scene.checksum}, {"seed", std::to_string(draw.seed)}};
   file.provenance(origin);
-  write_samples(draw, file, output);
+  write_samples(draw, field, file, output);
   output.finish();
 }
 
@@ -117,6 +133,7 @@ int main(int argc, char** argv) {
   app.add_option("-n,--count", options.count, "Number of samples (default: [study] realizations)")->check(whole_number(1, last_sample));
   app.add_option("--first", options.first, "Number of the first sample")->check(whole_number(1, last_sample))->capture_default_str();
   app.add_option("--seed", options.seed, "Seed of the study (default: [study] seed)")->check(whole_number(0));
+  app.add_flag("--explain", options.explain, "Print which method makes the samples, why, and how exact it is; draw none");
   app.add_option("-o,--output", options.output, "Fields (HDF5); - is stdout")->capture_default_str();
   return tool_main(app, "rfgen pipelines/demo/scene.toml -n 24 -o fields.h5", argc, argv, [&] { run(options); });
 }

@@ -83,7 +83,7 @@ void run(const Options& options) {
   const Hdf5Reader fields(image, input_name(options.fields), "slidezone-fields 1");
   const std::vector<std::int64_t> realizations = fields.integers("realization");
   const FieldMesh mesh = mesh_of(fields, spec.parameter, realizations.size());
-  check_mesh(mesh, {spec.cell_x, spec.cell_y, spec.cells_x, spec.cells_y}, fields, scene);
+  check_mesh(mesh, spec.model.mesh, fields, scene);
 
   const MaterialPoints points = material_points(scene);
   const std::vector<std::size_t> cells = containing_cells(mesh, points.x, points.y);

@@ -6,10 +6,6 @@
 
 namespace slidezone {
 
-double single_exponential(double dx, double dy, double scale_x, double scale_y) {
-  return std::exp(-2 * std::abs(dx) / scale_x - 2 * std::abs(dy) / scale_y);  // Eq. 24
-}
-
 ExponentialFactor exponential_factor(double spacing, double scale) {
   return {std::exp(-2 * spacing / scale), std::sqrt(-std::expm1(-4 * spacing / scale))};
 }

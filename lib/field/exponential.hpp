@@ -1,4 +1,4 @@
-// The separable single exponential autocorrelation and its exact Cholesky factor.
+// The exact Cholesky factor of the separable single exponential autocorrelation.
 //
 // Eq. 24: rho(dx, dy) = exp(-2 |dx| / scale_x - 2 |dy| / scale_y), scales of fluctuation in metres. On a mesh it is the
 // Kronecker product of one matrix per axis, A_ij = a^|i-j| with a = exp(-2 h / scale), spacing h, so that its factor
@@ -13,8 +13,6 @@
 #include <span>
 
 namespace slidezone {
-
-double single_exponential(double dx, double dy, double scale_x, double scale_y);
 
 /// One axis of the factor.
 struct ExponentialFactor {

@@ -1,5 +1,5 @@
-// Samples of a random field on a mesh: independent normals, correlated (field/exponential.hpp), given their marginal
-// distribution (field/lognormal.hpp), raised to a floor.
+// Samples of a random field on a mesh: a standard Gaussian field (field/gaussian_field.hpp) given its marginal distribution
+// (field/lognormal.hpp) and raised to a floor.
 //
 // A sample depends on its random stream and on the model alone: any of them can be drawn anywhere, with or without others.
 #pragma once
@@ -8,20 +8,30 @@
 #include <span>
 
 #include "core/random.hpp"
-#include "field/mesh.hpp"
+#include "field/gaussian_field.hpp"
+#include "field/lognormal.hpp"
+#include "field/model.hpp"
 
 namespace slidezone {
 
-struct FieldModel {
-  FieldMesh mesh;
-  double horizontal_scale = 0;  // scale of fluctuation, m
-  double vertical_scale = 0;
-  double mean = 0;
-  double cov = 0;    // coefficient of variation
-  double floor = 0;  // lowest value
-};
+class RandomField {
+ public:
+  /// `floor` is the lowest value.
+  RandomField(const FieldModel& model, double floor) : gaussian_(model), marginal_(lognormal(model.mean, model.cov)), floor_(floor) {}
 
-/// Fills `values`, of mesh.size(), with one sample; returns how many values were raised to the floor.
-std::size_t fill_sample(std::span<double> values, const FieldModel& model, RandomStream stream);
+  /// Fills `values`, of mesh.size(), with one sample; returns how many values were raised to the floor.
+  std::size_t fill_sample(std::span<double> values, RandomStream stream) {
+    gaussian_.fill(values, stream);
+    make_lognormal(values, marginal_);
+    return raise_to_floor(values, floor_);
+  }
+
+  const MethodReport& report() const { return gaussian_.report(); }
+
+ private:
+  GaussianField gaussian_;
+  Lognormal marginal_;
+  double floor_;
+};
 
 }  // namespace slidezone

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/text.hpp"
 #include "scene/read_tables.hpp"
@@ -8,6 +9,10 @@
 namespace slidezone {
 
 static const Range coefficients_of_variation{.low = 0, .high = 10, .is_low_excluded = true};
+static const Range smoothnesses{.low = 0, .high = 50, .is_low_excluded = true};
+static const Range bedding_angles{.low = -std::numbers::pi / 2, .high = std::numbers::pi / 2};
+static const Range nuggets{.low = 0, .high = 1, .is_high_excluded = true};
+static const Range shares{.low = 0, .high = 1, .is_low_excluded = true};
 static constexpr double most_cells = 1e8;  // of a field's mesh
 
 static std::string kilopascals(double stress) { return format_brief(stress / 1000) + " kPa"; }
@@ -15,20 +20,41 @@ static std::string kilopascals(double stress) { return format_brief(stress / 100
 /// Cells of the size `cell` that cover `length`.
 static double covering_cells(double length, double cell) { return std::max(1.0, std::ceil(length / cell * (1 - same_length))); }
 
-static void read_mesh(const TomlTable& table, const Slope& slope, FieldSpec& field) {
+static FieldMesh read_mesh(const TomlTable& table, const Slope& slope) {
   const Vec2 cell = table.quantity_pair("cell", "m", positive);
   const double cells_x = covering_cells(slope.surface.back().x, cell.x);
   const double cells_y = covering_cells(slope.crest.y, cell.y);
   if (cells_x * cells_y > most_cells)
     table.fail("cell", "divides the slope into more than " + format_real(most_cells) + " cells; make it larger");
-  field.cell_x = cell.x;
-  field.cell_y = cell.y;
-  field.cells_x = static_cast<int>(cells_x);
-  field.cells_y = static_cast<int>(cells_y);
+  return {cell.x, cell.y, static_cast<int>(cells_x), static_cast<int>(cells_y)};
+}
+
+/// The value whose name, among `names` in the order of the enumeration, is the key's text.
+template <class Value>
+static Value named_or(const TomlTable& table, const std::string& key, const std::vector<std::string>& names, Value absent) {
+  if (!table.has(key)) return absent;
+  return static_cast<Value>(std::ranges::find(names, table.choice(key, names)) - names.begin());
+}
+
+static Correlation read_correlation(const TomlTable& table) {
+  Correlation correlation;
+  correlation.function = named_or(table, "autocorrelation", autocorrelation_names(), correlation.function);
+  if (correlation.function == Autocorrelation::matern)
+    correlation.smoothness = table.number("smoothness", smoothnesses);
+  else if (table.has("smoothness"))
+    table.fail("smoothness", "has a meaning only with autocorrelation = \"Matern\"");
+  correlation.horizontal_scale = table.quantity("horizontal_scale", "m", positive);
+  correlation.vertical_scale = table.quantity("vertical_scale", "m", positive);
+  correlation.shape = named_or(table, "lag", lag_shape_names(), correlation.shape);
+  if (correlation.function == Autocorrelation::binary_noise && correlation.shape == LagShape::elliptical)
+    table.fail("lag", "wants separable with autocorrelation = \"binary noise\": with an elliptical lag it is not positive definite");
+  correlation.bedding_angle = table.quantity_or("bedding_angle", "rad", bedding_angles, correlation.bedding_angle);
+  correlation.nugget = table.number_or("nugget", nuggets, correlation.nugget);
+  return correlation;
 }
 
 /// Strength never falls below the residual one: values below that floor are raised to it.
-static void check_floor(const TomlTable& table, const FieldSpec& field, const std::vector<Layer>& layers) {
+static void check_floor(const TomlTable& table, const FieldModel& field, const std::vector<Layer>& layers) {
   for (const Layer& layer : layers)
     if (field.mean <= layer.material.residual_cohesion)
       table.fail("mean", "wants more than the residual cohesion of soil \"" + layer.name + "\", " +
@@ -36,18 +62,20 @@ static void check_floor(const TomlTable& table, const FieldSpec& field, const st
 }
 
 static FieldSpec read_cohesion(const TomlTable& table, const Slope& slope, const std::vector<Layer>& layers) {
-  table.check_keys({"mean", "cov", "marginal", "autocorrelation", "horizontal_scale", "vertical_scale", "cell"});
-  FieldSpec field;
-  field.parameter = "cohesion";
+  table.check_keys({"mean", "cov", "marginal", "autocorrelation", "smoothness", "horizontal_scale", "vertical_scale", "lag",
+                    "bedding_angle", "nugget", "method", "variance_kept", "cell"});
+  FieldModel field;
   field.mean = table.quantity("mean", "Pa", positive);
   field.cov = table.number("cov", coefficients_of_variation);
-  field.marginal = table.choice_or("marginal", {"lognormal"}, field.marginal);
-  field.autocorrelation = table.choice_or("autocorrelation", {"single exponential"}, field.autocorrelation);
-  field.horizontal_scale = table.quantity("horizontal_scale", "m", positive);
-  field.vertical_scale = table.quantity("vertical_scale", "m", positive);
-  read_mesh(table, slope, field);
+  table.choice_or("marginal", {"lognormal"}, "lognormal");
+  field.correlation = read_correlation(table);
+  field.mesh = read_mesh(table, slope);
+  field.method = named_or(table, "method", method_names(), field.method);
+  if (table.has("variance_kept") && field.method != Method::karhunen_loeve)
+    table.fail("variance_kept", "has a meaning only with method = \"Karhunen-Loeve\"");
+  field.variance_kept = table.number_or("variance_kept", shares, field.variance_kept);
   check_floor(table, field, layers);
-  return field;
+  return {"cohesion", field};
 }
 
 std::vector<FieldSpec> read_fields(const TomlTable& table, const Slope& slope, const std::vector<Layer>& layers) {

@@ -1,7 +1,7 @@
 // A scene: one slope and how it is analysed, read from one TOML file. data-schemas/scene.schema.json describes the file.
 //
 // Origin: where the left wall meets the base; x to the right, y up; SI units throughout. A table that is absent is a feature
-// that is not run. Defaults stand in the structs below and in mpm/settings.hpp, nowhere else.
+// that is not run. Defaults stand in the structs below, in field/model.hpp and in mpm/settings.hpp, nowhere else.
 // Errors: ExitCode::data with file:line:column, what was found, what was expected and the nearest known key.
 #pragma once
 
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/vec2.hpp"
+#include "field/model.hpp"
 #include "grid/grid_shape.hpp"
 #include "mpm/settings.hpp"
 #include "soil/material.hpp"
@@ -38,20 +39,10 @@ struct Discretization {
   int points_per_cell = 2;
 };
 
-/// [field.<parameter>]: a random field in place of a parameter of all layers. Values below the floor, the residual
-/// strength of the layer, are raised to it.
+/// [field.<parameter>]: a random field in place of a layer parameter that is the same everywhere.
 struct FieldSpec {
   std::string parameter;  // "cohesion": the peak cohesion
-  double mean = 0;        // in the parameter's SI unit
-  double cov = 0;         // coefficient of variation
-  std::string marginal = "lognormal";
-  std::string autocorrelation = "single exponential";
-  double horizontal_scale = 0;  // scale of fluctuation, m
-  double vertical_scale = 0;
-  double cell_x = 0;  // random-field mesh; it covers the box of the slope from the origin
-  double cell_y = 0;
-  int cells_x = 0;
-  int cells_y = 0;
+  FieldModel model;       // its mesh covers the box of the slope from the origin
 };
 
 /// Thresholds of what is measured on the final state.

@@ -8,52 +8,164 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "core/vec2.hpp"
+#include "field/autocorrelation.hpp"
+#include "field/circulant.hpp"
+#include "field/covariance_factor.hpp"
 #include "field/exponential.hpp"
+#include "field/gaussian_field.hpp"
+#include "field/karhunen_loeve.hpp"
 #include "field/lognormal.hpp"
 #include "field/mesh.hpp"
+#include "field/mesh_covariance.hpp"
+#include "field/model.hpp"
 #include "field/random_field.hpp"
 
 namespace slidezone {
 namespace {
 
-Vec2 center(const FieldMesh& mesh, std::size_t cell) {
-  const auto columns = static_cast<std::size_t>(mesh.cells_x);
-  return {(static_cast<double>(cell % columns) + 0.5) * mesh.cell_x, (static_cast<double>(cell / columns) + 0.5) * mesh.cell_y};
+constexpr Autocorrelation every_function[] = {
+    Autocorrelation::single_exponential,
+    Autocorrelation::squared_exponential,
+    Autocorrelation::second_order_markov,
+    Autocorrelation::third_order_markov,
+    Autocorrelation::cosine_exponential,
+    Autocorrelation::binary_noise,
+    Autocorrelation::matern,
+    Autocorrelation::spherical,
+};
+
+std::string name_of(Autocorrelation function) { return autocorrelation_names()[static_cast<std::size_t>(function)]; }
+
+constexpr double smoothness = 1.1;  // of Matern, where it does not matter
+
+FieldModel model(FieldMesh mesh, Autocorrelation function, double scale_x, double scale_y) {
+  FieldModel model;
+  model.mesh = mesh;
+  model.correlation.function = function;
+  model.correlation.smoothness = smoothness;
+  model.correlation.horizontal_scale = scale_x;
+  model.correlation.vertical_scale = scale_y;
+  model.mean = 20e3;
+  model.cov = 0.25;
+  return model;
 }
 
-/// The autocorrelation matrix of all cells of a mesh.
-Eigen::MatrixXd correlation_matrix(const FieldMesh& mesh, double scale_x, double scale_y) {
-  const auto n = static_cast<Eigen::Index>(mesh.size());
-  Eigen::MatrixXd matrix(n, n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const Vec2 a = center(mesh, static_cast<std::size_t>(i)), b = center(mesh, static_cast<std::size_t>(j));
-      matrix(i, j) = single_exponential(a.x - b.x, a.y - b.y, scale_x, scale_y);
+FieldModel with_method(FieldModel model, Method method) {
+  model.method = method;
+  return model;
+}
+
+FieldModel elliptical(FieldModel model, double bedding_angle = 0) {
+  model.correlation.shape = LagShape::elliptical;
+  model.correlation.bedding_angle = bedding_angle;
+  return model;
+}
+
+std::vector<double> gaussian_sample(const FieldModel& model, RandomStream stream) {
+  GaussianField field(model);
+  std::vector<double> values(model.mesh.size());
+  field.fill(values, stream);
+  return values;
+}
+
+double largest_difference(std::span<const double> a, std::span<const double> b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+/// Compares products of pairs of cells over n samples with the covariance; their standard error is sqrt((1 + rho^2) / n).
+void expect_covariance(const FieldModel& model, const Eigen::MatrixXd& covariance, const std::string& what) {
+  GaussianField field(model);
+  constexpr std::size_t n = 5000;
+  const std::size_t cells = model.mesh.size(), stride = std::max<std::size_t>(1, cells / 12);
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(Eigen::Index(cells), Eigen::Index(cells));
+  std::vector<double> values(cells);
+  for (std::uint32_t sample = 1; sample <= n; ++sample) {
+    field.fill(values, {11, 0, sample});
+    for (std::size_t a = 0; a < cells; a += stride)
+      for (std::size_t b = a; b < cells; ++b) sums(Eigen::Index(a), Eigen::Index(b)) += values[a] * values[b];
+  }
+  for (std::size_t a = 0; a < cells; a += stride)
+    for (std::size_t b = a; b < cells; ++b) {
+      const double rho = covariance(Eigen::Index(a), Eigen::Index(b));
+      // Some 900 pairs, so 4.5 standard errors: a right sampler misses one in 150 of these tests.
+      EXPECT_NEAR(sums(Eigen::Index(a), Eigen::Index(b)) / double(n), rho, 4.5 * std::sqrt((1 + rho * rho) / double(n)))
+          << what << ": " << a << " " << b;
     }
-  return matrix;
 }
 
-/// The Gaussian field that the separable factor makes of these normals.
-std::vector<double> separable(std::vector<double> normals, const FieldMesh& mesh, double scale_x, double scale_y) {
-  const auto row_size = static_cast<std::size_t>(mesh.cells_x);
-  correlate_along_rows(normals, row_size, exponential_factor(mesh.cell_x, scale_x));
-  correlate_across_rows(normals, row_size, exponential_factor(mesh.cell_y, scale_y));
-  return normals;
+// ---- autocorrelation ----
+
+/// Twice the integral of rho from 0 to where it has vanished, by Simpson's rule between the kinks.
+double integral(Autocorrelation function, double nu) {
+  const auto simpson = [&](double from, double to, int n) {
+    const double h = (to - from) / n;
+    double sum = autocorrelation(function, nu, from) + autocorrelation(function, nu, to);
+    for (int i = 1; i < n; ++i) sum += (i % 2 == 0 ? 2 : 4) * autocorrelation(function, nu, from + i * h);
+    return sum * h / 3;
+  };
+  return 2 * (simpson(0, 1e-6, 200) + simpson(1e-6, 1e-3, 2000) + simpson(1e-3, 1, 20000) + simpson(1, 4. / 3, 2000) +
+              simpson(4. / 3, 60, 200000));
 }
 
-// ---- autocorrelation and factor ----
-
-TEST(SingleExponential, HasTheValuesOfItsEquation) {
-  EXPECT_NEAR(single_exponential(0.5, 0, 1, 7), 0.367879441171, 1e-12);  // at half a scale, 12 digits given
-  EXPECT_DOUBLE_EQ(single_exponential(-1, 2, 4, 8), std::exp(-1.0));
-  EXPECT_EQ(single_exponential(0, 0, 1, 1), 1);
+TEST(Autocorrelation, IsOneAtNoLagAndIntegratesToItsScale) {
+  for (const Autocorrelation function : every_function)
+    for (const double nu : {0.3, 1.1, 4.0}) {
+      EXPECT_NEAR(autocorrelation(function, nu, 0), 1, 1e-15) << name_of(function);
+      EXPECT_NEAR(integral(function, nu), 1, 1e-8) << name_of(function) << " " << nu;  // Simpson's error at Matern's cusp
+    }
 }
+
+TEST(Autocorrelation, HasThePublishedValuesAtHalfAScale) {  // all digits given
+  EXPECT_NEAR(autocorrelation(Autocorrelation::single_exponential, 0, 0.5), 0.367879441171, 1e-12);
+  EXPECT_NEAR(autocorrelation(Autocorrelation::squared_exponential, 0, 0.5), 0.455938127766, 1e-12);
+  EXPECT_NEAR(autocorrelation(Autocorrelation::second_order_markov, 0, 0.5), 0.406005849710, 1e-12);
+}
+
+TEST(Autocorrelation, MaternHoldsTheMarkovFunctions) {
+  for (double t = 1e-6; t < 30; t *= 1.5) {
+    const auto matern = [&](double nu) { return autocorrelation(Autocorrelation::matern, nu, t); };
+    EXPECT_NEAR(matern(0.5), autocorrelation(Autocorrelation::single_exponential, 0, t), 1e-13) << t;
+    EXPECT_NEAR(matern(1.5), autocorrelation(Autocorrelation::second_order_markov, 0, t), 1e-13) << t;
+    EXPECT_NEAR(matern(2.5), autocorrelation(Autocorrelation::third_order_markov, 0, t), 1e-13) << t;
+    EXPECT_NEAR(matern(50), autocorrelation(Autocorrelation::squared_exponential, 0, t), 0.01) << t;  // its limit
+  }
+}
+
+TEST(Autocorrelation, PlaneLagsFollowShapeAndBedding) {
+  Correlation correlation = model({}, Autocorrelation::single_exponential, 4, 8).correlation;
+  EXPECT_DOUBLE_EQ(autocorrelation(correlation, -1, 2), std::exp(-1.0));  // Eq. 24
+  correlation.shape = LagShape::elliptical;
+  EXPECT_DOUBLE_EQ(autocorrelation(correlation, 3, -8), std::exp(-2 * 1.25));
+  correlation.bedding_angle = std::numbers::pi / 6;  // 30 degrees: one scale along the bedding, one across it
+  EXPECT_NEAR(autocorrelation(correlation, 4 * std::sqrt(0.75), 4 * 0.5), std::exp(-2.0), 1e-15);
+  EXPECT_NEAR(autocorrelation(correlation, 8 * -0.5, 8 * std::sqrt(0.75)), std::exp(-2.0), 1e-15);
+  EXPECT_FALSE(is_separable(correlation));
+}
+
+TEST(Autocorrelation, IsPositiveDefiniteButForRoundBinaryNoise) {
+  for (const Autocorrelation function : every_function) {
+    const FieldModel product = model({0.25, 0.25, 16, 14}, function, 1.3, 0.9);
+    for (const FieldModel& tried : {product, elliptical(product), elliptical(product, 0.4)}) {
+      const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(full_covariance(tried)).eigenvalues()(0);
+      const bool is_round_noise = function == Autocorrelation::binary_noise && tried.correlation.shape == LagShape::elliptical;
+      if (is_round_noise)
+        EXPECT_LT(least, -0.01);
+      else
+        EXPECT_GT(least, -1e-13) << name_of(function);
+    }
+  }
+}
+
+// ---- methods ----
 
 TEST(ExponentialFactor, HasTheClosedForm) {
   const double spacing = 0.1, scale = 48;
@@ -67,18 +179,6 @@ TEST(ExponentialFactor, HasTheClosedForm) {
       const double expected = i < j ? 0 : std::pow(a, double(i - j)) * (j == 0 ? 1 : std::sqrt(1 - a * a));
       EXPECT_NEAR(column[i], expected, 1e-14) << i << " " << j;  // sqrt(1 - a^2) is the less exact of the two
     }
-  }
-}
-
-TEST(ExponentialFactor, EqualsDenseCholeskyForTheSameNormals) {
-  const FieldMesh mesh{0.1, 0.2, 23, 19};
-  for (const double scale : {0.3, 1.0, 10.0}) {
-    std::vector<double> normals(mesh.size());
-    fill_normals(normals, {1, purpose("cohesion"), 1});
-    const Eigen::MatrixXd factor = correlation_matrix(mesh, scale, 0.6 * scale).llt().matrixL();
-    const Eigen::VectorXd dense = factor * Eigen::Map<const Eigen::VectorXd>(normals.data(), Eigen::Index(normals.size()));
-    const std::vector<double> field = separable(normals, mesh, scale, 0.6 * scale);
-    for (std::size_t i = 0; i < field.size(); ++i) EXPECT_NEAR(field[i], dense(Eigen::Index(i)), 1e-12) << i;
   }
 }
 
@@ -96,26 +196,170 @@ TEST(ExponentialFactor, TreatsAnyNumberOfRowsAlike) {
   }
 }
 
-TEST(ExponentialFactor, GivesTheEnsembleItsCorrelation) {
-  // Products of two cells over n independent samples: standard error sqrt((1 + rho^2) / n).
-  const FieldMesh mesh{0.5, 0.25, 12, 9};
-  const std::size_t n = 40000;
-  struct Pair {
-    std::size_t a, b;
-    double sum = 0;
+TEST(GaussianField, FactorsAreCholeskysForTheSameNormals) {
+  // Scales of up to 10 cells; beyond them Cholesky's own rounding grows.
+  for (const Autocorrelation function : every_function)
+    for (const double scale : {0.3, 1.0}) {
+      const FieldModel benign = model({0.1, 0.2, 23, 19}, function, scale, 0.6 * scale);
+      if (function == Autocorrelation::squared_exponential && scale > 0.3) continue;  // indefinite to rounding
+      const std::vector<double> dense = gaussian_sample(with_method(benign, Method::cholesky), {1, 7, 1});
+      EXPECT_LT(largest_difference(gaussian_sample(with_method(benign, Method::separable), {1, 7, 1}), dense), 1e-12) << name_of(function);
+    }
+  const FieldModel exponential = model({0.1, 0.2, 23, 19}, Autocorrelation::single_exponential, 10, 6);
+  EXPECT_LT(
+      largest_difference(gaussian_sample(exponential, {1, 7, 1}), gaussian_sample(with_method(exponential, Method::cholesky), {1, 7, 1})),
+      1e-12);
+}
+
+TEST(GaussianField, CholeskyMultipliesByEigensFactor) {
+  const FieldModel round = with_method(elliptical(model({0.1, 0.2, 12, 9}, Autocorrelation::spherical, 1, 0.6), 0.3), Method::cholesky);
+  std::vector<double> normals(round.mesh.size());
+  fill_normals(normals, {1, 7, 1});
+  const Eigen::MatrixXd factor = full_covariance(round).llt().matrixL();
+  const Eigen::VectorXd expected = factor * Eigen::Map<const Eigen::VectorXd>(normals.data(), Eigen::Index(normals.size()));
+  EXPECT_LT(largest_difference(gaussian_sample(round, {1, 7, 1}), {expected.data(), normals.size()}), 1e-14);
+}
+
+TEST(GaussianField, EveryMethodGivesTheEnsembleItsCovariance) {
+  for (const Autocorrelation function : every_function) {
+    const FieldModel product = model({0.5, 0.25, 9, 8}, function, 3, 1);
+    for (const Method method : {Method::separable, Method::circulant, Method::cholesky})
+      expect_covariance(with_method(product, method), full_covariance(product),
+                        name_of(function) + " by " + method_names()[static_cast<std::size_t>(method)]);
+    if (function == Autocorrelation::binary_noise) continue;
+    const FieldModel bedded = elliptical(product, 0.3);
+    expect_covariance(bedded, full_covariance(bedded), name_of(function) + " elliptical and bedded");
+  }
+}
+
+TEST(GaussianField, NuggetIsNoiseFromCellToCell) {
+  FieldModel noisy = model({0.5, 0.25, 9, 8}, Autocorrelation::single_exponential, 3, 1);
+  const Eigen::MatrixXd covariance = 0.7 * full_covariance(noisy) + 0.3 * Eigen::MatrixXd::Identity(72, 72);
+  noisy.correlation.nugget = 0.3;
+  expect_covariance(noisy, covariance, "nugget");
+}
+
+TEST(GaussianField, KarhunenLoeveKeepsTheWantedShare) {
+  for (const bool is_bedded : {false, true}) {
+    FieldModel cut = with_method(model({0.5, 0.25, 9, 8}, Autocorrelation::squared_exponential, 3, 1), Method::karhunen_loeve);
+    if (is_bedded) cut = elliptical(cut, 0.3);
+    cut.variance_kept = 0.8;
+    const KarhunenLoeve expansion = karhunen_loeve(cut);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(full_covariance(cut));
+    const auto kept = Eigen::Index(expansion.modes.size());
+    const Eigen::VectorXd lambda = solver.eigenvalues().tail(kept);
+    EXPECT_NEAR(expansion.variance_kept, lambda.sum() / 72, 1e-12);
+    EXPECT_GE(expansion.variance_kept, 0.8);
+    EXPECT_LT((lambda.sum() - lambda(0)) / 72, 0.8);  // no fewer would do
+    const Eigen::MatrixXd modes = solver.eigenvectors().rightCols(kept);
+    const Eigen::MatrixXd covariance = modes * lambda.asDiagonal() * modes.transpose();
+    EXPECT_NEAR(expansion.covariance_error, 1 - covariance.diagonal().minCoeff(), 1e-12);
+    expect_covariance(cut, covariance, "Karhunen-Loeve");
+  }
+}
+
+TEST(GaussianField, ChoosesTheCheapestExactMethod) {
+  const auto chosen = [](const FieldModel& tried) { return GaussianField(tried).report().method; };
+  const FieldModel exponential = model({0.1, 0.1, 30, 20}, Autocorrelation::single_exponential, 1, 1);
+  FieldModel markov = model({0.1, 0.1, 30, 20}, Autocorrelation::second_order_markov, 1, 1);
+  EXPECT_EQ(chosen(exponential), "sweep");
+  EXPECT_EQ(chosen(markov), "separable");
+  EXPECT_EQ(chosen(elliptical(markov)), "circulant");
+  markov.correlation.bedding_angle = 0.1;
+  EXPECT_EQ(chosen(markov), "circulant");
+  markov = model({0.1, 0.1, 2000, 2}, Autocorrelation::second_order_markov, 1, 1);
+  EXPECT_EQ(chosen(markov), "circulant");
+}
+
+TEST(GaussianField, IsTheSameWhateverWasDrawnBefore) {
+  for (const Method method : {Method::separable, Method::circulant, Method::cholesky, Method::karhunen_loeve}) {
+    GaussianField field(with_method(model({0.5, 0.25, 9, 8}, Autocorrelation::spherical, 3, 1), method));
+    std::vector<double> first(72), again(72);
+    field.fill(first, {1, 2, 3});
+    field.fill(again, {1, 2, 4});
+    EXPECT_NE(first, again);
+    field.fill(again, {1, 2, 3});
+    EXPECT_EQ(first, again);
+  }
+}
+
+// ---- guards of positive definiteness ----
+
+TEST(Guards, ClippedFactorsStayExactToRounding) {
+  // Squared exponential with 30 cells to a scale: Cholesky's method fails, the clipped root is off by no more than rounding.
+  const FieldModel smooth = model({0.1, 0.1, 100, 1}, Autocorrelation::squared_exponential, 3, 3);
+  const Eigen::MatrixXd covariance = row_covariance(smooth);
+  ASSERT_NE(covariance.llt().info(), Eigen::Success);
+  const CovarianceFactor factor = clipped_factor(covariance);
+  EXPECT_GT(factor.error, 0);
+  EXPECT_LT(factor.error, 1e-13);
+  double error = 0;
+  for (std::size_t i = 0; i < 100; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      double sum = 0;
+      for (std::size_t k = 0; k <= j; ++k) sum += factor.lower.entry(i, k) * factor.lower.entry(j, k);
+      error = std::max(error, std::abs(sum - covariance(Eigen::Index(i), Eigen::Index(j))));
+    }
+  EXPECT_NEAR(error, factor.error, 1e-15);
+}
+
+TEST(Guards, ClippedFactorIsCholeskysWhereThatExists) {
+  const Eigen::MatrixXd covariance = row_covariance(model({0.1, 0.1, 40, 1}, Autocorrelation::second_order_markov, 0.5, 1));
+  const Eigen::MatrixXd cholesky = covariance.llt().matrixL();
+  // A hair of negative eigenvalue, from one more row that repeats the last, sends it down the other road.
+  Eigen::MatrixXd singular(41, 41);
+  singular.topLeftCorner(40, 40) = covariance;
+  singular.bottomRows(1).leftCols(40) = covariance.bottomRows(1);
+  singular.rightCols(1).topRows(40) = covariance.rightCols(1);
+  singular(40, 40) = 1 - 1e-14;
+  ASSERT_NE(singular.llt().info(), Eigen::Success);
+  const CovarianceFactor factor = clipped_factor(singular);
+  for (std::size_t i = 0; i < 40; ++i)
+    for (std::size_t k = 0; k <= i; ++k) EXPECT_NEAR(factor.lower.entry(i, k), cholesky(Eigen::Index(i), Eigen::Index(k)), 1e-12);
+}
+
+TEST(Guards, JitterIsBoundedAndReported) {
+  const Eigen::MatrixXd smooth = row_covariance(model({0.1, 0.1, 100, 1}, Autocorrelation::squared_exponential, 3, 3));
+  const double jitter = jittered_factor(smooth).error;
+  EXPECT_GT(jitter, 0);
+  EXPECT_LE(jitter, 1e-8);
+  Eigen::MatrixXd indefinite = Eigen::MatrixXd::Identity(3, 3);
+  indefinite(0, 1) = indefinite(1, 0) = 1.1;
+  EXPECT_THROW(jittered_factor(indefinite), Error);
+}
+
+TEST(Guards, PaddingGrowsUntilTheSpectrumIsNotNegative) {
+  const FieldModel wide = elliptical(model({0.1, 0.1, 30, 20}, Autocorrelation::squared_exponential, 6, 1));
+  const CirculantEmbedding embedding(wide);
+  EXPECT_GT(embedding.cells_x(), 240u);  // 6 m are 60 cells; correlation vanishes at some 3 scales either way
+  EXPECT_LE(embedding.cells_y(), 80u);   // this axis needs no more
+  EXPECT_LT(embedding.covariance_error(), 1e-10);
+  expect_covariance(with_method(elliptical(model({0.5, 0.5, 9, 8}, Autocorrelation::squared_exponential, 30, 5)), Method::circulant),
+                    full_covariance(elliptical(model({0.5, 0.5, 9, 8}, Autocorrelation::squared_exponential, 30, 5))), "wide");
+}
+
+TEST(Guards, RefusalsSayWhy) {
+  const auto message = [](const std::function<void()>& act) -> std::string {
+    try {
+      act();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::data);
+      return error.what();
+    }
+    return "";
   };
-  std::vector<Pair> pairs = {{0, 0}, {0, 1}, {0, 11}, {0, 12}, {5, 53}, {40, 67}, {107, 0}, {107, 107}, {95, 107}, {30, 33}};
-  std::vector<double> values(mesh.size());
-  for (std::uint32_t sample = 1; sample <= n; ++sample) {
-    fill_normals(values, {11, 0, sample});
-    values = separable(std::move(values), mesh, 3, 1);
-    for (Pair& pair : pairs) pair.sum += values[pair.a] * values[pair.b];
-  }
-  for (const Pair& pair : pairs) {
-    const Vec2 a = center(mesh, pair.a), b = center(mesh, pair.b);
-    const double rho = single_exponential(a.x - b.x, a.y - b.y, 3, 1);
-    EXPECT_NEAR(pair.sum / double(n), rho, 4 * std::sqrt((1 + rho * rho) / double(n))) << pair.a << " " << pair.b;
-  }
+  const FieldModel wide = model({0.1, 0.1, 30, 20}, Autocorrelation::squared_exponential, 600, 1);
+  EXPECT_TRUE(
+      message([&] { CirculantEmbedding(wide, 100000); }).starts_with("circulant embedding needs eigenvalues that are not negative"));
+  EXPECT_TRUE(message([&] { CirculantEmbedding(wide, 1000); }).starts_with("circulant embedding would pad the mesh to 60 x 40 cells"));
+  const FieldModel large = model({0.1, 0.1, 1000, 1000}, Autocorrelation::spherical, 1, 1);
+  EXPECT_TRUE(message([&] {
+                GaussianField(with_method(large, Method::cholesky));
+              }).starts_with("method \"Cholesky\" would take 16000 GB of memory for 1000000 cells"));
+  EXPECT_TRUE(message([&] { GaussianField(with_method(elliptical(large), Method::separable)); }).starts_with("method \"separable\" wants"));
+  EXPECT_TRUE(message([&] {
+                GaussianField(elliptical(model({0.1, 0.1, 5, 5}, Autocorrelation::binary_noise, 1, 1)));
+              }).find("not positive definite") != std::string::npos);
 }
 
 // ---- marginal ----
@@ -144,7 +388,12 @@ TEST(Lognormal, FloorCountsWhatItRaises) {
 
 // ---- samples ----
 
-const FieldModel benchmark{{0.1, 0.1, 250, 50}, 1, 1, 20e3, 0.5, 4e3};
+/// The benchmark's field with a COV of 0.5, so that the floor matters.
+FieldModel benchmark() {
+  FieldModel benchmark = model({0.1, 0.1, 250, 50}, Autocorrelation::single_exponential, 1, 1);
+  benchmark.cov = 0.5;
+  return benchmark;
+}
 
 TEST(RandomField, HasMeanCovAndFloorsOfItsModel) {
   // 400 samples of 25 m x 5 m: the mean over one has variance sd^2 times the product of the variance functions of its
@@ -152,12 +401,13 @@ TEST(RandomField, HasMeanCovAndFloorsOfItsModel) {
   const auto variance_function = [](double scales) { return (2 * scales + std::expm1(-2 * scales)) / (2 * scales * scales); };
   const double n = 400, reduction = variance_function(25) * variance_function(5);
   double sum = 0, squares = 0, floored = 0;
-  std::vector<double> values(benchmark.mesh.size());
+  RandomField field(benchmark(), 4e3);
+  std::vector<double> values(12500);
   for (std::uint32_t sample = 1; sample <= n; ++sample) {
-    floored += double(fill_sample(values, benchmark, {1, purpose("cohesion"), sample}));
+    floored += double(field.fill_sample(values, {1, purpose("cohesion"), sample}));
     for (const double value : values) sum += value, squares += value * value;
   }
-  const double cells = n * double(benchmark.mesh.size());
+  const double cells = n * 12500;
   const double mean = sum / cells, cov = std::sqrt(squares / cells - mean * mean) / mean;
   EXPECT_NEAR(mean / 20e3, 1, 4 * 0.5 * std::sqrt(reduction / n));
   // Standard deviations over 40 seeds: 0.2 % of the COV, 3.4 % of the floored count (floored cells come in clusters).
@@ -166,11 +416,12 @@ TEST(RandomField, HasMeanCovAndFloorsOfItsModel) {
 }
 
 TEST(RandomField, SamplesDoNotDependOnEachOther) {
-  std::vector<double> alone(benchmark.mesh.size()), among(benchmark.mesh.size());
-  for (std::uint32_t sample = 1; sample <= 3; ++sample) fill_sample(among, benchmark, {7, 1, sample});
-  fill_sample(alone, benchmark, {7, 1, 3});
+  RandomField field(benchmark(), 4e3);
+  std::vector<double> alone(12500), among(12500);
+  for (std::uint32_t sample = 1; sample <= 3; ++sample) field.fill_sample(among, {7, 1, sample});
+  field.fill_sample(alone, {7, 1, 3});
   EXPECT_EQ(alone, among);
-  fill_sample(among, benchmark, {7, 1, 4});
+  field.fill_sample(among, {7, 1, 4});
   EXPECT_NE(alone, among);
 }
 

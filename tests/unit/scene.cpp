@@ -119,14 +119,14 @@ TEST(Scene, ReadsEveryKey) {
   EXPECT_EQ(scene.time.rest.value().fraction, 0.003);
   EXPECT_EQ(scene.time.rest.value().hold, 3);
   ASSERT_EQ(scene.fields.size(), 1u);
-  const FieldSpec& field = scene.fields[0];
-  EXPECT_EQ(field.parameter, "cohesion");
+  const FieldModel& field = scene.fields[0].model;
+  EXPECT_EQ(scene.fields[0].parameter, "cohesion");
   EXPECT_DOUBLE_EQ(field.mean, 20e3);
   EXPECT_EQ(field.cov, 0.25);
-  EXPECT_EQ(field.horizontal_scale, 10);
-  EXPECT_EQ(field.vertical_scale, 1);
-  EXPECT_EQ(field.cells_x, 40);  // 20 m in cells of 0.5 m
-  EXPECT_EQ(field.cells_y, 20);  // 5 m in cells of 0.25 m
+  EXPECT_EQ(field.correlation.horizontal_scale, 10);
+  EXPECT_EQ(field.correlation.vertical_scale, 1);
+  EXPECT_EQ(field.mesh.cells_x, 40);  // 20 m in cells of 0.5 m
+  EXPECT_EQ(field.mesh.cells_y, 20);  // 5 m in cells of 0.25 m
   EXPECT_EQ(scene.study.seed, 7u);
   EXPECT_EQ(scene.study.realizations, 100u);
 }
@@ -292,11 +292,40 @@ TEST(MaterialPoints, MustExist) {
 
 // ---- fields ----
 
+TEST(Field, HasDefaults) {
+  const std::string field =
+      "[field.cohesion]\nmean = \"30 kPa\"\ncov = 0.5\nhorizontal_scale = \"2 m\"\nvertical_scale = \"1 m\"\ncell = \"1 m\"\n";
+  const FieldModel model = parse(least + field).fields.at(0).model;
+  EXPECT_EQ(model.correlation.function, Autocorrelation::single_exponential);
+  EXPECT_EQ(model.correlation.shape, LagShape::separable);
+  EXPECT_EQ(model.correlation.bedding_angle, 0);
+  EXPECT_EQ(model.correlation.nugget, 0);
+  EXPECT_EQ(model.method, Method::automatic);
+}
+
+TEST(Field, NamesStandForTheirFunctions) {
+  const auto field = [](const std::string& lines) {
+    return parse(least +
+                 "[field.cohesion]\nmean = \"30 kPa\"\ncov = 0.5\nhorizontal_scale = \"2 m\"\nvertical_scale = \"1 m\"\ncell = \"1 m\"\n" +
+                 lines)
+        .fields.at(0)
+        .model;
+  };
+  EXPECT_EQ(field("autocorrelation = \"squared exponential\"").correlation.function, Autocorrelation::squared_exponential);
+  EXPECT_EQ(field("autocorrelation = \"third-order Markov\"").correlation.function, Autocorrelation::third_order_markov);
+  EXPECT_EQ(field("autocorrelation = \"spherical\"").correlation.function, Autocorrelation::spherical);
+  EXPECT_EQ(field("autocorrelation = \"Matern\"\nsmoothness = 2").correlation.smoothness, 2);
+  EXPECT_EQ(field("lag = \"elliptical\"").correlation.shape, LagShape::elliptical);
+  EXPECT_NEAR(field("bedding_angle = \"-45 deg\"").correlation.bedding_angle, -std::numbers::pi / 4, 1e-15);
+  EXPECT_EQ(field("method = \"circulant\"").method, Method::circulant);
+  EXPECT_EQ(field("method = \"Karhunen-Loeve\"\nvariance_kept = 0.5").variance_kept, 0.5);
+}
+
 TEST(Field, MeshCoversTheSlope) {
   const std::string field = "[field.cohesion]\nmean = \"30 kPa\"\ncov = 0.5\nhorizontal_scale = \"2 m\"\nvertical_scale = \"1 m\"\n";
   const auto cells = [&](const std::string& cell) {
-    const FieldSpec spec = parse(least + field + "cell = " + cell + "\n").fields.at(0);
-    return std::vector<int>{spec.cells_x, spec.cells_y};
+    const FieldMesh mesh = parse(least + field + "cell = " + cell + "\n").fields.at(0).model.mesh;
+    return std::vector<int>{mesh.cells_x, mesh.cells_y};
   };
   EXPECT_EQ(cells("\"0.1 m\""), (std::vector<int>{60, 20}));  // 6 m by 2 m; 6 / 0.1 is rounded above 60 or not, it is 60
   EXPECT_EQ(cells("\"0.7 m\""), (std::vector<int>{9, 3}));

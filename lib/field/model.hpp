@@ -1,0 +1,57 @@
+// What a random field is: mesh, autocorrelation, marginal distribution, and how it is sampled. Defaults are those of a scene that
+// does not say otherwise. SI units.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "field/mesh.hpp"
+
+namespace slidezone {
+
+/// Formulas in field/autocorrelation.hpp.
+enum class Autocorrelation {
+  single_exponential,
+  squared_exponential,
+  second_order_markov,
+  third_order_markov,
+  cosine_exponential,
+  binary_noise,
+  matern,
+  spherical,
+};
+
+/// How the lags along and across the bedding go together.
+enum class LagShape {
+  separable,   // rho(dx / scale_x) rho(dy / scale_y)
+  elliptical,  // rho(hypot(dx / scale_x, dy / scale_y))
+};
+
+struct Correlation {
+  Autocorrelation function = Autocorrelation::single_exponential;
+  double smoothness = 0;        // of Matern
+  double horizontal_scale = 0;  // scale of fluctuation along the bedding, m
+  double vertical_scale = 0;    // across the bedding, m
+  LagShape shape = LagShape::separable;
+  double bedding_angle = 0;  // rise of the bedding towards x, rad
+  double nugget = 0;         // share of the variance that is noise without correlation from cell to cell
+};
+
+/// How Gaussian fields are made; field/gaussian_field.hpp says what each can do.
+enum class Method { automatic, separable, circulant, cholesky, karhunen_loeve };
+
+struct FieldModel {
+  FieldMesh mesh;
+  Correlation correlation;
+  Method method = Method::automatic;
+  double variance_kept = 0.99;  // by the modes of Karhunen-Loeve
+  double mean = 0;
+  double cov = 0;  // coefficient of variation
+};
+
+/// Names in scenes, in the order of the enumerations.
+const std::vector<std::string>& autocorrelation_names();
+const std::vector<std::string>& lag_shape_names();
+const std::vector<std::string>& method_names();
+
+}  // namespace slidezone
