@@ -26,8 +26,24 @@ field() { awk -F '\t' -v w="$1" -v c="$2" '!/^#/ { for (i = 1; i <= NF; ++i) if 
   run -64 zoning rows.tsv --curve --classes
   run -64 zoning rows.tsv --curve --structures s.tsv
   run -64 zoning rows.tsv --classes --structures s.tsv
+  run -64 zoning rows.tsv --curve --tail
+  run -64 zoning rows.tsv --study a=rows.tsv
+  run -64 zoning --study a=- --study b=- <rows.tsv
   run -64 zoning --structures - <rows.tsv
   assert_output --partial "cannot both come from stdin"
+}
+
+@test "wrong thresholds, names, bands and studies are a wrong command line" {
+  ladder 3 >rows.tsv
+  for wrong in '--thresholds 0.1,0.2' '--thresholds 0.5,0.5' '--thresholds 0.5' '--thresholds 1,0.1' '--thresholds nan' \
+    '--class-names a,b' '--band wide'; do
+    run --separate-stderr zoning rows.tsv $wrong
+    assert_failure 64
+    assert_equal "$output" ""
+  done
+  for wrong in rows.tsv =rows.tsv a= worst_case=rows.tsv 'a b=rows.tsv' a:b=rows.tsv; do run -64 zoning --study "$wrong"; done
+  run -64 zoning --study a=rows.tsv --study a=rows.tsv
+  assert_output --partial "'a' stands twice"
 }
 
 @test "broken rows are named by file and line" {
@@ -99,6 +115,13 @@ field() { awk -F '\t' -v w="$1" -v c="$2" '!/^#/ { for (i = 1; i <= NF; ++i) if 
     assert_schema curve curve
     zoning -q $rows.tsv --structures s.tsv >structures 2>/dev/null
     assert_schema structures structures
+    zoning -q --tail $rows.tsv >classes 2>/dev/null
+    assert_schema classes classes
+  done
+  for kind in --classes --curve '--structures s.tsv'; do
+    zoning -q --study few=few.tsv --study many=many.tsv --study none=none.tsv $kind >several 2>/dev/null
+    kind=${kind%% *}
+    assert_schema "${kind#--}-of-studies" several
   done
 }
 
@@ -180,4 +203,78 @@ field() { awk -F '\t' -v w="$1" -v c="$2" '!/^#/ { for (i = 1; i <= NF; ++i) if 
   assert_equal "$(field A 4 <classed)" 0.25
   zoning rows.tsv --curve >curve
   assert_equal "$(awk -F '\t' '$1 == "runout_m" && $2 == 11 { print $6 }' curve)" 0.25  # P(failure) times the Normal tail at its mean
+}
+
+# ---- bands, thresholds, tails, several studies ----
+
+@test "Wilson's and the simultaneous band on request" {
+  ladder 1000 >rows.tsv
+  structures 'A crest 9.9' 'B crest 99' >s.tsv
+  zoning rows.tsv --structures s.tsv --band wilson >classed
+  assert_near "$(field A 5 <classed)" 0.0054407544 1e-10  # reference values for 10 and 0 of 1000
+  assert_near "$(field A 6 <classed)" 0.0183094689 1e-10
+  assert_near "$(field B 6 <classed)" 0.0038267585 1e-10
+  zoning rows.tsv --structures s.tsv --band simultaneous >classed
+  assert_equal "$(field A 5 <classed)" 0
+  assert_near "$(field A 6 <classed)" 0.0529469408 1e-10  # 0.01 + sqrt(ln 40 / 2000)
+}
+
+@test "thresholds and names of one's own" {
+  ladder 1000 >rows.tsv
+  structures 'A crest 9.7' 'B crest 5' >s.tsv
+  zoning rows.tsv --thresholds 0.2,0.02 --class-names red,orange,green >classes
+  assert_near "$(field red 4 <classes)" 8.005 1e-12
+  assert_near "$(field orange 4 <classes)" 9.805 1e-12
+  assert_equal "$(grep -c green classes)" 0
+  zoning rows.tsv --thresholds 0.2,0.02 --class-names red,orange,green --structures s.tsv >classed
+  assert_equal "$(field A 7 <classed)" orange
+  assert_equal "$(field B 7 <classed)" red
+}
+
+# exponential COUNT: quantiles of an exponential reach of mean 1 m, whose tail has shape 0.
+exponential() {
+  row_header
+  awk -v n="$1" 'BEGIN { OFS = "\t"
+    for (k = 1; k <= n; ++k) { x = -log((k - 0.5) / n); print k, "slid", x, x + 10, 0, 0, 0, 10, 100, 0.001, 0 } }'
+}
+
+@test "a tail gives the 0.1 % boundary an upper end, and says how it was fitted" {
+  exponential 1000 >rows.tsv
+  zoning rows.tsv --tail >classes
+  assert_near "$(field low 4 <classes)" 6.9078 0.3  # ln 1000; the fit's shape is off zero by some hundredths
+  assert_between "$(field low 5 <classes)" 5 6.9
+  assert_between "$(field low 6 <classes)" 6.91 12
+  assert_equal "$(field very_high 4 <classes)" "$(zoning -q rows.tsv | field very_high 4)"
+  run grep '^# tail of runout_m: threshold 12\.[0-9]* m, exceedances 100, scale .* shape .* distance ' classes
+  assert_success
+}
+
+@test "no tail of few runs, nor of censored ones: order statistics and a warning" {
+  exponential 40 >few.tsv
+  { exponential 1000; row 1001 left_domain 3 13; } >censored.tsv
+  for rows in few.tsv censored.tsv; do
+    run --separate-stderr zoning $rows --tail
+    assert_success
+    assert_regex "$stderr" 'warning: no tail fitted to runout_m'
+    diff <(zoning -q $rows 2>/dev/null | grep -v '^#') <(grep -v '^#' <<<"$output")
+  done
+}
+
+@test "several studies stand below each other, then the worst case of each line" {
+  ladder 100 >short.tsv
+  ladder 200 >long.tsv
+  { row_header; for k in 1 2 3 4; do row $k slid 0.9 30; done; } >far.tsv
+  structures 'A toe 10.8' 'B crest 0.5' >s.tsv
+  zoning --study short=short.tsv --study long=long.tsv --study far=far.tsv --structures s.tsv >classed
+  assert_equal "$(grep -v '^#' classed | cut -f 1 | xargs)" "study short short long long far far worst_case worst_case"
+  assert_equal "$(grep -P '^short\tA' classed | cut -f 5)" 0.2
+  assert_equal "$(grep -P '^long\tA' classed | cut -f 5)" 0.6
+  assert_equal "$(grep -P '^worst_case\tA' classed | cut -f 5)" 1
+  assert_equal "$(grep -P '^worst_case\tA' classed | cut -f 6)" "$(grep -P '^long\tA' classed | cut -f 6)"  # 120 of 200 bound it better
+  zoning -q --study short=short.tsv --study long=long.tsv >classes
+  assert_equal "$(grep -P '^worst_case\t' classes | cut -f 2-)" "$(grep -P '^long\t' classes | cut -f 2-)"
+  zoning -q --study short=short.tsv --study long=long.tsv --curve >curve
+  cmp <(grep -P '^worst_case\trunout_m' curve | cut -f 3-5) <(grep -P '^long\trunout_m' curve | cut -f 3-5)
+  # Beyond all runs the upper end is that of the fewer runs.
+  assert_equal "$(grep -P '^worst_case' curve | tail -1 | cut -f 6)" "$(grep -P '^short' curve | tail -1 | cut -f 6)"
 }

@@ -1,9 +1,8 @@
 // zoning: how likely a place before the toe or behind the crest is to be reached, and where the hazard zones end.
 // Rows ("slidezone-row 1") -> class boundaries ("slidezone-classes 1"), the exceedance curve ("slidezone-curve 1"), or the classes of
-// structures ("slidezone-structures 1") that are given as a table ("slidezone-structures-input 1").
+// structures ("slidezone-structures 1") that are given as a table ("slidezone-structures-input 1"). Of several studies: "slidezone-
+// classes-of-studies 1", "-curve-of-studies 1", "-structures-of-studies 1".
 //   zoning rows/*.tsv --structures structures.tsv
-#include "zoning/zoning.hpp"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string>
@@ -17,143 +16,198 @@
 #include "io/file.hpp"
 #include "io/table.hpp"
 #include "rows/row.hpp"
+#include "summary/zone_tables.hpp"
 
 namespace slidezone {
 namespace {
 
 struct Options {
   std::vector<std::string> rows = {"-"};
-  bool wants_classes = false;  // also without any of the three
+  std::vector<std::string> studies;  // NAME=FILE
+  bool wants_classes = false;        // also without any of the three
   bool wants_curve = false;
   std::string structures;
+  std::vector<double> thresholds = Classes{}.thresholds;
+  std::vector<std::string> names = Classes{}.names;
+  std::string band = "exact";
+  bool has_tails = false;
   std::string output = "-";
 };
+
+const std::vector<std::string> band_names = {"exact", "wilson", "simultaneous"};  // in the order of Band
 
 const char* const manual = R"(Exceedance probabilities and hazard classes of places before and behind a slope.
 
 Of the influence distance behind the crest (influence_m) and the runout distance before the toe (runout_m). Distances in m, counted away
-from the slope.
+from the slope. A place is reached where the limit state G = distance - reach is negative.
 
-A probability is a share of all runs, failed or not; ci_low and ci_high are its exact 95 % band (Clopper-Pearson), for one distance at a
-time. Runs that left the grid exceed every distance up to their reach and are doubtful beyond, diverged runs are doubtful everywhere:
-doubtful runs widen the band to both sides. An end that the runs cannot give is "unbounded".
+A probability is a share of all runs, failed or not; ci_low and ci_high are its 95 % band: exact (Clopper-Pearson) or Wilson's, for one
+distance at a time, or simultaneous (Dvoretzky-Kiefer-Wolfowitz), for the whole curve. Runs that left the grid exceed every distance up
+to their reach and are doubtful beyond, diverged runs are doubtful everywhere: doubtful runs widen the band to both sides. An end that
+the runs cannot give is "unbounded".
 
-Classes by P = P(reach > distance):
+Classes by P = P(reach > distance), unless --thresholds and --class-names say otherwise:
   very_high  P > 50 %    high  50 to 10 %    medium  10 to 1 %    low  1 to 0.1 %    very_low  P <= 0.1 %
 
 Results, one of:
   --classes   quantity class probability distance_m ci_low_m ci_high_m: the far end of each class, the distance at which P falls to
-              `probability`; very_low has none. The interval is of order statistics; 1 % wants some 370 runs for an upper end, 0.1 %
-              some 3,700
+              `probability`; the last class has none. The interval is of order statistics; 1 % wants some 370 runs for an upper end,
+              0.1 % some 3,700. With --tail, boundaries less likely than a tenth come from a generalized Pareto distribution fitted to
+              the largest tenth of the reaches (at least 30), with the interval of its profile likelihood; the fit stands in the table's
+              '#' lines: threshold, exceedances, scale, shape, Kolmogorov's distance
   --curve     quantity distance_m probability ci_low ci_high normal lognormal: P over evenly spaced distances from 0 to 1.25 times the
               farthest reach, and beside it that of the Normal and the Lognormal fit: P(failure) times the tail of the fit to the runs
               that slid; nan where there is no fit
   --structures FILE
               name side distance_m probability ci_low ci_high class class_low class_high: P at each structure, its class, and the
-              classes at either end of the band. FILE is a table `name side distance_m`, side is toe or crest.)";
+              classes at either end of the band. FILE is a table `name side distance_m`, side is toe or crest.
+Several studies (--study NAME=ROWS, once for each) give the same with a column `study` before, and then the worst case over them: the
+largest value and the largest ends that any study has.)";
 
-std::string realizations(const Ensemble& ensemble) { return std::to_string(ensemble.failure.size()); }
+Classes classes_of(const Options& options) {
+  if (!std::is_sorted(options.thresholds.rbegin(), options.thresholds.rend(), std::less_equal<>()))
+    throw Error(ExitCode::usage, "--thresholds: expected falling probabilities, e.g. 0.5,0.1,0.01");
+  if (options.names.size() != options.thresholds.size() + 1)
+    throw Error(ExitCode::usage, "--class-names: found " + std::to_string(options.names.size()) + " names, expected " +
+                                     std::to_string(options.thresholds.size() + 1) + ": one more than thresholds");
+  return {options.thresholds, options.names};
+}
+
+Band band_of(const std::string& name) {
+  return static_cast<Band>(std::find(band_names.begin(), band_names.end(), name) - band_names.begin());
+}
 
 /// A boundary beyond which less than one run is expected is the largest value seen, not an estimate.
-void note_thin_tail(const Ensemble& ensemble, const Classes& classes) {
-  const double n = static_cast<double>(ensemble.failure.size());
-  for (const double p : classes.thresholds) {
-    if (n * p < 1)
-      note(realizations(ensemble) + " runs cannot tell where the probability falls to " + format_real(100 * p) +
+void note_thin_tail(const Study& study, const ZoneOptions& options) {
+  const std::size_t runs = study.ensemble.failure.size();
+  for (const double p : options.classes.thresholds) {
+    if (static_cast<double>(runs) * p < 1)
+      note(std::to_string(runs) + " runs cannot tell where the probability falls to " + format_real(100 * p) +
            " %: the distance given is the farthest run's");
   }
 }
 
-Table class_table(const Ensemble& ensemble) {
-  const Classes classes;
-  note_thin_tail(ensemble, classes);
-  Table table({"quantity", "class", "probability", "distance_m", "ci_low_m", "ci_high_m"});
-  for (const Reach* reach : {&ensemble.influence, &ensemble.runout}) {
-    for (const Boundary& boundary : boundaries(reach->sample, classes))
-      table.add_row({reach->quantity, boundary.name, format_real(boundary.probability), format_real(boundary.distance.value),
-                     format_limit(boundary.distance.interval.low), format_limit(boundary.distance.interval.high)});
+void tell_tails(Provenance& origin, const Study& study, const ZoneOptions& options) {
+  for (const Reach* reach : {&study.ensemble.influence, &study.ensemble.runout}) {
+    const std::string of = (study.name.empty() ? "" : study.name + " ") + reach->quantity;
+    const std::optional<TailFit> fit = tail_of(*reach, options);
+    if (!fit) warn("no tail fitted to " + of + ": too few runs, or some left the grid or diverged; boundaries are of order statistics");
+    const std::string words = fit ? "threshold " + format_real(fit->threshold) + " m, exceedances " + std::to_string(fit->exceedances) +
+                                        ", scale " + format_brief(fit->scale, 6) + " m, shape " + format_brief(fit->shape, 6) +
+                                        ", distance " + format_brief(fit->distance, 4)
+                                  : "none";
+    origin.details.emplace_back("tail of " + of, words);
   }
-  return table;
 }
 
-Table curve_table(const Ensemble& ensemble) {
-  const double failure = failure_probability(ensemble).value;
-  Table table({"quantity", "distance_m", "probability", "ci_low", "ci_high", "normal", "lognormal"});
-  for (const Reach* reach : {&ensemble.influence, &ensemble.runout}) {
-    const std::vector<double> distances = curve_distances(moments_of(known_values(reach->sample)).maximum());
-    for (const CurvePoint& point : exceedance_curve(reach->sample, reach->of_slides, failure, distances))
-      table.add_row({reach->quantity, format_real(point.distance), format_real(point.exceedance.value),
-                     format_real(point.exceedance.interval.low), format_real(point.exceedance.interval.high), format_real(point.normal),
-                     format_real(point.lognormal)});
-  }
-  return table;
+Study read_study(const std::string& name, const std::vector<std::string>& paths, Provenance& origin) {
+  const std::vector<Row> rows = read_rows(paths);
+  const std::string prefix = name.empty() ? "" : name + " ";
+  for (const std::string& caution : cautions(rows)) warn(prefix + caution);
+  Study study{name, ensemble_of(rows)};
+  origin.details.emplace_back(prefix + "rows", checksum(rows));
+  origin.details.emplace_back(prefix + "realizations", std::to_string(study.ensemble.failure.size()));
+  return study;
 }
 
-struct Structure {
-  std::string name;
-  std::string side;  // "toe" or "crest"
-  double distance = 0;
-};
-
-Structure structure_of(const Table& table, std::size_t index) {
-  const Structure structure{table.text(index, "name"), table.text(index, "side"), table.number(index, "distance_m")};
-  if (structure.name.empty()) fail_at(table.where(index), "column 'name': found nothing, expected a name");
-  if (structure.side != "toe" && structure.side != "crest")
-    fail_at(table.where(index), "column 'side': found '" + structure.side + "', expected toe or crest");
-  if (structure.distance < 0)
-    fail_at(table.where(index), "column 'distance_m': found '" + table.text(index, "distance_m") +
-                                    "', expected a distance >= 0 from the toe or the crest, away from the slope");
-  return structure;
+std::vector<Study> read_studies(const Options& options, Provenance& origin) {
+  if (options.studies.empty()) return {read_study("", options.rows, origin)};
+  std::vector<Study> studies;
+  for (const std::string& text : options.studies) {
+    const std::string name = text.substr(0, text.find('='));
+    if (std::any_of(studies.begin(), studies.end(), [&](const Study& study) { return study.name == name; }))
+      throw Error(ExitCode::usage, "--study: '" + name + "' stands twice");
+    studies.push_back(read_study(name, {text.substr(name.size() + 1)}, origin));
+  }
+  return studies;
 }
 
-std::vector<Structure> read_structures(const std::string& path) {
-  const std::vector<std::string> columns = {"name", "side", "distance_m"};
-  const Table table = parse_tsv(read_input(path), input_name(path), "slidezone-structures-input 1", columns);
-  for (const std::string& name : table.columns()) {
-    if (std::find(columns.begin(), columns.end(), name) == columns.end())
-      fail_at(table.header(), "unknown column '" + name + "'" + nearest_hint(name, columns) + "; expected name, side and distance_m");
-  }
-  if (table.row_count() == 0) fail_at(table.header(), "found a header without rows, expected at least one structure");
-  std::vector<Structure> structures;
-  for (std::size_t i = 0; i < table.row_count(); ++i) {
-    structures.push_back(structure_of(table, i));
-    for (std::size_t j = 0; j < i; ++j) {
-      if (structures[j].name == structures[i].name)
-        fail_at(table.where(i), "structure '" + structures[i].name + "' stands twice, first at " + to_string(table.where(j)));
-    }
-  }
-  return structures;
+bool is_stdin_used_twice(const Options& options) {
+  const auto is_stdin = [](const std::string& path) { return path == "-" || path.ends_with("=-"); };
+  const std::vector<std::string>& paths = options.studies.empty() ? options.rows : options.studies;
+  return std::count_if(paths.begin(), paths.end(), is_stdin) + (options.structures == "-") > 1;
 }
 
-Table structure_table(const Ensemble& ensemble, const std::string& path) {
-  const Classes classes;
-  Table table({"name", "side", "distance_m", "probability", "ci_low", "ci_high", "class", "class_low", "class_high"});
-  for (const Structure& structure : read_structures(path)) {
-    const Reach& reach = structure.side == "toe" ? ensemble.runout : ensemble.influence;
-    const Estimate hazard = exceedance_estimate(reach.sample, structure.distance);
-    table.add_row({structure.name, structure.side, format_real(structure.distance), format_real(hazard.value),
-                   format_real(hazard.interval.low), format_real(hazard.interval.high), class_of(classes, hazard.value),
-                   class_of(classes, hazard.interval.low), class_of(classes, hazard.interval.high)});
-  }
-  return table;
+Table table_of(const std::string& kind, std::span<const Study> studies, const ZoneOptions& zones, const Options& options) {
+  if (kind == "curve") return curve_table(studies, zones);
+  if (kind == "classes") return class_table(studies, zones);
+  return structure_table(studies, parse_structures(read_input(options.structures), input_name(options.structures)), zones);
 }
 
 void run(const Options& options) {
-  const bool is_stdin_taken = std::find(options.rows.begin(), options.rows.end(), "-") != options.rows.end();
-  if (options.structures == "-" && is_stdin_taken)
+  if (is_stdin_used_twice(options))
     throw Error(ExitCode::usage, "rows and structures cannot both come from stdin; give one of them as a file");
-  const std::vector<Row> rows = read_rows(options.rows);
-  const Ensemble ensemble = ensemble_of(rows);
-  for (const std::string& caution : cautions(rows)) warn(caution);
-
   const std::string kind = options.wants_curve ? "curve" : options.structures.empty() ? "classes" : "structures";
-  const Table table = options.wants_curve          ? curve_table(ensemble)
-                      : options.structures.empty() ? class_table(ensemble)
-                                                   : structure_table(ensemble, options.structures);
-  Provenance origin = provenance("slidezone-" + kind + " 1", "zoning");
-  origin.details.emplace_back("rows", checksum(rows));
-  origin.details.emplace_back("realizations", realizations(ensemble));
-  write_output(options.output, to_tsv(table, origin));
+  const ZoneOptions zones{classes_of(options), band_of(options.band), options.has_tails};
+  Provenance origin = provenance("slidezone-" + kind + (options.studies.empty() ? "" : "-of-studies") + " 1", "zoning");
+  const std::vector<Study> studies = read_studies(options, origin);
+  for (const Study& study : studies) {
+    if (kind == "classes" && !zones.has_tails) note_thin_tail(study, zones);
+    if (kind == "classes" && zones.has_tails) tell_tails(origin, study, zones);
+  }
+  write_output(options.output, to_tsv(table_of(kind, studies, zones, options), origin));
+}
+
+/// NAME=FILE, the name a word of its own.
+CLI::Validator named_file() {
+  return CLI::Validator(
+      [](std::string& text) -> std::string {
+        const std::size_t equals = text.find('=');
+        const bool is_good = equals != std::string::npos && equals > 0 && equals + 1 < text.size() && text.find_first_of(" \t:") > equals &&
+                             text.substr(0, equals) != "worst_case";
+        return is_good ? "" : "found '" + text + "', expected NAME=FILE, the name without blanks and colons, and other than worst_case";
+      },
+      "");
+}
+
+CLI::Validator word() {
+  return CLI::Validator(
+      [](std::string& text) -> std::string {
+        return text.empty() || text.find_first_of(" \t\n") != std::string::npos ? "found '" + text + "', expected a name without blanks"
+                                                                                : "";
+      },
+      "");
+}
+
+CLI::Validator band_name() {
+  return CLI::Validator(
+      [](std::string& text) -> std::string {
+        if (std::find(band_names.begin(), band_names.end(), text) != band_names.end()) return {};
+        return "found '" + text + "', expected " + list_of(band_names) + nearest_hint(text, band_names);
+      },
+      "");
+}
+
+void add_options(CLI::App& app, Options& options) {
+  auto* rows = app.add_option("ROWS", options.rows, "Tables of rows, one or several; - is stdin")->capture_default_str();
+  app.add_option("--study", options.studies, "A study's name and its rows; once for each of several studies")
+      ->allow_extra_args(false)
+      ->check(named_file())
+      ->type_name("NAME=ROWS")
+      ->excludes(rows);
+  auto* classes = app.add_flag("--classes", options.wants_classes, "Boundaries of the classes (the default)");
+  auto* curve = app.add_flag("--curve", options.wants_curve, "The exceedance curve");
+  auto* structures = app.add_option("--structures", options.structures, "Classes of the structures in FILE")->type_name("FILE");
+  classes->excludes(curve)->excludes(structures);
+  curve->excludes(structures);
+  app.add_option("--thresholds", options.thresholds, "Falling probabilities at which classes end, with commas between")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(real_number(1e-9, 1 - 1e-9))
+      ->type_name("P,...")
+      ->capture_default_str();
+  app.add_option("--class-names", options.names, "Names of the classes, one more than thresholds, with commas between")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(word())
+      ->type_name("NAME,...")
+      ->capture_default_str();
+  app.add_option("--band", options.band, "Band of probabilities: " + list_of(band_names))
+      ->check(band_name())
+      ->type_name("BAND")
+      ->capture_default_str();
+  app.add_flag("--tail", options.has_tails, "Far boundaries by a generalized Pareto tail")->excludes(curve)->excludes(structures);
+  app.add_option("-o,--output", options.output, "Where the table goes; - is stdout")->type_name("FILE")->capture_default_str();
 }
 
 }  // namespace
@@ -163,12 +217,6 @@ int main(int argc, char** argv) {
   using namespace slidezone;
   Options options;
   CLI::App app{manual, "zoning"};
-  app.add_option("ROWS", options.rows, "Tables of rows, one or several; - is stdin")->capture_default_str();
-  auto* classes = app.add_flag("--classes", options.wants_classes, "Boundaries of the classes (the default)");
-  auto* curve = app.add_flag("--curve", options.wants_curve, "The exceedance curve");
-  auto* structures = app.add_option("--structures", options.structures, "Classes of the structures in FILE")->type_name("FILE");
-  classes->excludes(curve)->excludes(structures);
-  curve->excludes(structures);
-  app.add_option("-o,--output", options.output, "Where the table goes; - is stdout")->type_name("FILE")->capture_default_str();
+  add_options(app, options);
   return tool_main(app, "cat rows/*.tsv | zoning --curve", argc, argv, [&] { run(options); });
 }

@@ -1,19 +1,18 @@
 #include "stats/distribution.hpp"
 
 #include <gsl/gsl_cdf.h>
-#include <gsl/gsl_multimin.h>
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_sf_gamma.h>
 #include <gsl/gsl_sf_psi.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <numeric>
 
 #include "stats/gsl_errors.hpp"
 #include "stats/moments.hpp"
+#include "stats/simplex.hpp"
 
 namespace slidezone {
 
@@ -129,57 +128,24 @@ static std::vector<double> gev_by_weighted_moments(std::span<const double> value
   return {b0 + scale * (gamma - 1) / kk, scale, -kk};
 }
 
-namespace {
-
-struct GevProblem {
-  std::span<const double> values;
-  double location;  // the search runs in units of this start
-  double scale;
-};
-
-std::vector<double> gev_parameters(const gsl_vector* place, const GevProblem& problem) {
-  return {problem.location + problem.scale * gsl_vector_get(place, 0), problem.scale * std::exp(gsl_vector_get(place, 1)),
-          gsl_vector_get(place, 2)};
-}
-
-/// Minus the mean log-likelihood; a large number outside the support, and below shape -1 where the likelihood has no bound.
-double gev_cost(const gsl_vector* place, void* data) {
-  const auto& problem = *static_cast<const GevProblem*>(data);
-  const std::vector<double> parameters = gev_parameters(place, problem);
-  if (parameters[2] <= -1) return 1e10;
-  double sum = 0;
-  for (const double value : problem.values) sum += gev_log_density(parameters, value);
-  return std::isfinite(sum) ? -sum / static_cast<double>(problem.values.size()) : 1e10;
-}
-
-struct FreeMinimizer {
-  void operator()(gsl_multimin_fminimizer* minimizer) const { gsl_multimin_fminimizer_free(minimizer); }
-};
-struct FreeVector {
-  void operator()(gsl_vector* vector) const { gsl_vector_free(vector); }
-};
-
-}  // namespace
-
 static std::optional<Fit> fit_gev(std::span<const double> values) {
-  const std::vector<double> start = gev_by_weighted_moments(values);
-  if (!(start[1] > 0)) return std::nullopt;
-  GevProblem problem{values, start[0], start[1]};
-  const std::unique_ptr<gsl_vector, FreeVector> place(gsl_vector_calloc(3));
-  const std::unique_ptr<gsl_vector, FreeVector> steps(gsl_vector_alloc(3));
-  gsl_vector_set_all(steps.get(), 0.1);
-  gsl_vector_set(place.get(), 2, start[2]);
-  gsl_multimin_function cost{gev_cost, 3, &problem};
-  for (double shape = start[2]; cost.f(place.get(), &problem) >= 1e10 && shape < 1; shape += 0.1) gsl_vector_set(place.get(), 2, shape);
-  const std::unique_ptr<gsl_multimin_fminimizer, FreeMinimizer> minimizer(
-      gsl_multimin_fminimizer_alloc(gsl_multimin_fminimizer_nmsimplex2, 3));
-  gsl_multimin_fminimizer_set(minimizer.get(), &cost, place.get(), steps.get());
-  for (int i = 0; i < 2000 && gsl_multimin_fminimizer_size(minimizer.get()) > 1e-9; ++i) {
-    if (gsl_multimin_fminimizer_iterate(minimizer.get()) != GSL_SUCCESS) break;
-  }
-  const std::vector<double> parameters = gev_parameters(minimizer->x, problem);
-  if (gsl_multimin_fminimizer_minimum(minimizer.get()) >= 1e10 || parameters[2] < -0.99) return std::nullopt;
-  return Fit{Family::gev, parameters};
+  std::vector<double> first = gev_by_weighted_moments(values);
+  if (!(first[1] > 0)) return std::nullopt;
+  const auto parameters = [&](std::span<const double> place) {  // the search runs in units of the first guess
+    return std::vector{first[0] + first[1] * place[0], first[1] * std::exp(place[1]), place[2]};
+  };
+  const auto cost = [&](std::span<const double> place) {  // below shape -1 the likelihood has no bound
+    if (place[2] <= -1) return infinity;
+    const std::vector<double> tried = parameters(place);
+    const double sum =
+        std::accumulate(values.begin(), values.end(), 0.0, [&](double s, double x) { return s + gev_log_density(tried, x); });
+    return -sum / static_cast<double>(values.size());
+  };
+  std::vector<double> start = {0, 0, first[2]};
+  while (std::isinf(cost(start)) && start[2] < 1) start[2] += 0.1;  // until every value lies in the support
+  const Minimum found = minimum_by_simplex(cost, start, 0.1);
+  if (!(found.value < 1e300) || found.place[2] < -0.99) return std::nullopt;
+  return Fit{Family::gev, parameters(found.place)};
 }
 
 // ---- all families ----

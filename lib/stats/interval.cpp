@@ -69,6 +69,26 @@ Interval wilson(std::size_t hits, std::size_t count, double confidence) {
   return {hits == 0 ? 0 : centre - half_width, hits == count ? 1 : centre + half_width};
 }
 
+Interval simultaneous(std::size_t hits, std::size_t count, double confidence) {
+  assert(hits <= count && count > 0);
+  const double n = static_cast<double>(count);
+  const double p = static_cast<double>(hits) / n;
+  const double half_width = std::sqrt(std::log(2 / (1 - confidence)) / (2 * n));
+  return {std::max(p - half_width, 0.0), std::min(p + half_width, 1.0)};
+}
+
+Interval proportion_interval(Band band, std::size_t hits, std::size_t count, double confidence) {
+  switch (band) {
+    case Band::exact:
+      return clopper_pearson(hits, count, confidence);
+    case Band::wilson:
+      return wilson(hits, count, confidence);
+    case Band::simultaneous:
+      return simultaneous(hits, count, confidence);
+  }
+  return {0, 1};
+}
+
 Ranks quantile_ranks(std::size_t count, double p, double confidence) {
   assert(p > 0 && p < 1);
   keep_gsl_from_aborting();

@@ -6,7 +6,8 @@
 //   Data Anal. 50, 775-782: ln(c s^2) +- z c sqrt((k - (n - 3) / n) / (n - 1)), c = n / (n - z), k the kurtosis about a trimmed
 //   mean. The textbook interval by chi-square holds for a Normal alone: reach is bimodal, its variance scatters differently.
 // - proportion: Clopper and Pearson (1934), exact: at least the stated confidence for every n and every true proportion. Wilson
-//   (1927): shorter, right on average.
+//   (1927): shorter, right on average, for a single true proportion at times less. Simultaneous: of all proportions P(X > x) at once,
+//   hits / n +- sqrt(ln(2 / alpha) / (2 n)) (Dvoretzky, Kiefer and Wolfowitz 1956 with the constant of Massart 1990).
 // - quantile: order statistics, no distribution assumed: ranks r with P(B <= r - 1) <= alpha/2 and P(B >= r) <= alpha/2, B
 //   binomial of n and p. At least the stated confidence; a rank that no sample of this size has gives an infinite end.
 // A constant series says nothing of its spread: its mean and variance have no upper end, however many values it holds.
@@ -37,6 +38,11 @@ Interval variance_interval(std::span<const double> values, double confidence = s
 /// Of `hits` among `count` >= 1.
 Interval clopper_pearson(std::size_t hits, std::size_t count, double confidence = standard_confidence);
 Interval wilson(std::size_t hits, std::size_t count, double confidence = standard_confidence);
+Interval simultaneous(std::size_t hits, std::size_t count, double confidence = standard_confidence);
+
+/// The three by name: "exact", "wilson", "simultaneous".
+enum class Band { exact, wilson, simultaneous };
+Interval proportion_interval(Band band, std::size_t hits, std::size_t count, double confidence = standard_confidence);
 
 /// Ranks (1 is the smallest of `count` values) whose order statistics enclose the quantile of probability p in (0, 1).
 struct Ranks {

@@ -45,7 +45,7 @@ Estimate quantile_estimate(const Sample& sample, double p, double confidence) {
   return estimate;
 }
 
-Estimate exceedance_estimate(const Sample& sample, double x, double confidence) {
+Estimate exceedance_estimate(const Sample& sample, double x, Band band, double confidence) {
   std::size_t exceeding = 0;
   std::size_t doubtful = 0;
   for (const Observation& seen : sample) {
@@ -57,9 +57,9 @@ Estimate exceedance_estimate(const Sample& sample, double x, double confidence) 
   }
   if (sample.empty()) return {std::numeric_limits<double>::quiet_NaN(), {0, 1}};
   const double decided = static_cast<double>(sample.size() - doubtful);
-  return {
-      decided > 0 ? static_cast<double>(exceeding) / decided : std::numeric_limits<double>::quiet_NaN(),
-      {clopper_pearson(exceeding, sample.size(), confidence).low, clopper_pearson(exceeding + doubtful, sample.size(), confidence).high}};
+  return {decided > 0 ? static_cast<double>(exceeding) / decided : std::numeric_limits<double>::quiet_NaN(),
+          {proportion_interval(band, exceeding, sample.size(), confidence).low,
+           proportion_interval(band, exceeding + doubtful, sample.size(), confidence).high}};
 }
 
 Estimate mean_estimate(const Sample& sample, double confidence) {

@@ -45,9 +45,9 @@ struct Estimate {
 /// above, so that it covers whatever the censored and diverged runs would have given.
 Estimate quantile_estimate(const Sample& sample, double p, double confidence = standard_confidence);
 
-/// P(X > x). Value: the share among the runs for which it is known whether they exceed x. Interval: Clopper-Pearson of all runs, with
-/// the doubtful ones counted as not exceeding for the lower end and as exceeding for the upper.
-Estimate exceedance_estimate(const Sample& sample, double x, double confidence = standard_confidence);
+/// P(X > x). Value: the share among the runs for which it is known whether they exceed x. Interval: of all runs, with the
+/// doubtful ones counted as not exceeding for the lower end and as exceeding for the upper.
+Estimate exceedance_estimate(const Sample& sample, double x, Band band = Band::exact, double confidence = standard_confidence);
 
 /// Mean and variance of the known values. Censored values make the mean a lower bound: its interval has then no upper end, and that
 /// of the variance none at all. Diverged runs are left out, as if what broke them had nothing to do with their reach.

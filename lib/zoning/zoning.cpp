@@ -28,17 +28,26 @@ std::vector<Boundary> boundaries(const Sample& sample, const Classes& classes) {
   return result;
 }
 
+std::vector<Boundary> boundaries_by_tail(const Sample& sample, const Classes& classes, const TailFit& tail) {
+  const std::vector<double> values = known_values(sample);
+  std::vector<Boundary> result = boundaries(sample, classes);
+  for (Boundary& boundary : result) {
+    if (boundary.probability < tail.share) boundary.distance = tail_quantile(tail, values, boundary.probability);
+  }
+  return result;
+}
+
 static double fitted_exceedance(const std::optional<Fit>& fit, double failure, double distance) {
   return fit ? failure * tail(*fit, distance) : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<CurvePoint> exceedance_curve(const Sample& sample, std::span<const double> of_slides, double failure,
-                                         std::span<const double> distances) {
+                                         std::span<const double> distances, Band band) {
   const std::optional<Fit> normal = fit_of(Family::normal, of_slides);
   const std::optional<Fit> lognormal = fit_of(Family::lognormal, of_slides);
   std::vector<CurvePoint> curve;
   for (const double distance : distances) {
-    curve.push_back({distance, exceedance_estimate(sample, distance), fitted_exceedance(normal, failure, distance),
+    curve.push_back({distance, exceedance_estimate(sample, distance, band), fitted_exceedance(normal, failure, distance),
                      fitted_exceedance(lognormal, failure, distance)});
   }
   return curve;

@@ -7,7 +7,7 @@
 //   very_high  P > 0.5      high  0.1 < P <= 0.5      medium  0.01 < P <= 0.1      low  0.001 < P <= 0.01      very_low  P <= 0.001
 // The boundary of a class is its far end; very_low has none. A sample of n runs knows a boundary p only where some n p >= 4 runs lie
 // beyond it (95 %): otherwise its interval has no upper end.
-// Bands are pointwise: each holds for one distance alone with 95 %, not for the whole curve at once.
+// Bands are pointwise (each holds for one distance alone with 95 %) or simultaneous (for the whole curve at once); see interval.hpp.
 #pragma once
 
 #include <span>
@@ -16,6 +16,7 @@
 
 #include "stats/distribution.hpp"
 #include "stats/sample.hpp"
+#include "stats/tail.hpp"
 
 namespace slidezone {
 
@@ -36,6 +37,9 @@ struct Boundary {
 
 std::vector<Boundary> boundaries(const Sample& sample, const Classes& classes);
 
+/// The same, but boundaries with a probability below the tail's share come from the tail's fit to the sample's known values.
+std::vector<Boundary> boundaries_by_tail(const Sample& sample, const Classes& classes, const TailFit& tail);
+
 struct CurvePoint {
   double distance = 0;
   Estimate exceedance;
@@ -45,7 +49,7 @@ struct CurvePoint {
 
 /// The curve over given distances. `of_slides` are the values to fit, `failure` is P(failure).
 std::vector<CurvePoint> exceedance_curve(const Sample& sample, std::span<const double> of_slides, double failure,
-                                         std::span<const double> distances);
+                                         std::span<const double> distances, Band band = Band::exact);
 
 /// Evenly spaced distances from 0 to at least 1.25 times the farthest value; the step is 1, 2 or 5 times a power of ten, for 200 to 500
 /// steps.

@@ -15,6 +15,7 @@
 #include "stats/moments.hpp"
 #include "stats/sample.hpp"
 #include "stats/stopping.hpp"
+#include "stats/tail.hpp"
 
 namespace slidezone {
 namespace {
@@ -166,6 +167,14 @@ TEST(Proportion, IsExactAtTheEnds) {
     EXPECT_NEAR(clopper_pearson(n, n).low, 1 - end, 1e-12);
     EXPECT_EQ(clopper_pearson(n, n).high, 1);
   }
+}
+
+TEST(Proportion, SimultaneousBandIsMassarts) {
+  const Interval band = simultaneous(500, 1000);  // sqrt(ln 40 / 2000) = 0.042947
+  EXPECT_NEAR(band.high, 0.5429469408, 1e-10);
+  EXPECT_NEAR(band.low, 0.4570530592, 1e-10);
+  EXPECT_EQ(simultaneous(0, 1000).low, 0);
+  EXPECT_EQ(simultaneous(1000, 1000).high, 1);
 }
 
 TEST(QuantileRanks, MatchReferenceRanks) {
@@ -381,6 +390,49 @@ TEST(ChiSquare, SeesTwoHeapsAndWantsTwentyValues) {
   EXPECT_LT(chi_square(*fit_of(Family::normal, heaps), heaps)->p, 1e-9);
   EXPECT_FALSE(chi_square(Fit{Family::normal, {10, 5}}, one_to(19)));
   EXPECT_TRUE(chi_square(Fit{Family::normal, {10, 5}}, one_to(20)));
+}
+
+// ---- tails ----
+
+/// Quantiles of a Gumbel distribution.
+std::vector<double> gumbel_values() {
+  std::vector<double> values;
+  for (int i = 1; i <= 200; ++i) values.push_back(10 - 2 * std::log(-std::log((i - 0.5) / 200)));
+  return values;
+}
+
+TEST(Tail, MatchesLikelihoodAndProfileInR) {
+  // optim() on the same likelihood, and uniroot() on its profile, in R 4.2.2; the search ends within 1e-7.
+  const TailFit fit = *tail_fit(gumbel_values());
+  EXPECT_NEAR(fit.threshold, 13.5979979459, 1e-10);
+  EXPECT_EQ(fit.exceedances, 30u);
+  EXPECT_NEAR(fit.scale, 2.3106400767, 1e-6);
+  EXPECT_NEAR(fit.shape, -0.1021672227, 1e-6);
+  const Estimate far = tail_quantile(fit, gumbel_values(), 0.001);
+  EXPECT_NEAR(far.value, 22.65937918, 1e-5);
+  EXPECT_NEAR(far.interval.low, 20.17266156, 1e-5);
+  EXPECT_NEAR(far.interval.high, 42.93833122, 1e-3);  // where the profile is flat
+}
+
+TEST(Tail, JoinsTheSampleAtTheThresholdAndInvertsItself) {
+  const TailFit fit = *tail_fit(gumbel_values());
+  EXPECT_DOUBLE_EQ(tail_exceedance(fit, fit.threshold), 0.15);
+  for (const double p : {0.1, 0.01, 1e-4}) EXPECT_NEAR(tail_exceedance(fit, tail_quantile(fit, gumbel_values(), p).value), p, 1e-12) << p;
+  EXPECT_LT(fit.distance, 0.05);  // steps of 1 / 30 about a smooth tail: half of that to either side, twice for the fit's own error
+}
+
+TEST(Tail, WithAnEndIsBounded) {
+  std::vector<double> values;  // shape -1/2, ends at 1
+  for (int i = 1; i <= 1000; ++i) values.push_back(1 - std::sqrt(1 - (i - 0.5) / 1000));
+  const TailFit fit = *tail_fit(values);
+  EXPECT_NEAR(fit.shape, -0.5, 0.1);
+  EXPECT_EQ(tail_exceedance(fit, 1.2), 0);
+  EXPECT_LT(tail_quantile(fit, values, 1e-9).value, 1.05);
+}
+
+TEST(Tail, WantsThirtyExceedancesThatDiffer) {
+  EXPECT_FALSE(tail_fit(one_to(59)));
+  EXPECT_FALSE(tail_fit(std::vector<double>(1000, 1.0)));
 }
 
 // ---- bootstrap ----

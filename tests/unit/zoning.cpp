@@ -46,6 +46,18 @@ TEST(Boundaries, AgreeWithTheCurve) {
     EXPECT_DOUBLE_EQ(exceedance_estimate(sample, boundary.distance.value).value, boundary.probability);
 }
 
+TEST(Boundaries, ByTailReplaceOnlyThoseBeyondItsShare) {
+  Sample sample = ladder(1000);
+  for (Observation& seen : sample) seen.value = std::log(1000.5 / (1000.5 - seen.value));  // quantiles of an exponential
+  const TailFit tail = *tail_fit(known_values(sample));
+  const std::vector<Boundary> plain = boundaries(sample, Classes{});
+  const std::vector<Boundary> fitted = boundaries_by_tail(sample, Classes{}, tail);
+  EXPECT_EQ(fitted[0].distance.value, plain[0].distance.value);
+  EXPECT_NE(fitted[2].distance.value, plain[2].distance.value);
+  EXPECT_NEAR(fitted[3].distance.value, std::log(1000.0), 0.3);  // the fit's shape is off zero by its few hundredths
+  EXPECT_FALSE(std::isinf(fitted[3].distance.interval.high));
+}
+
 TEST(Curve, FallsFromOneAndStandsBesideItsFits) {
   std::vector<double> slides;
   for (int i = 1; i <= 100; ++i) slides.push_back(i);
