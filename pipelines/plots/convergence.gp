@@ -22,12 +22,13 @@ do for [i = 1:words(curves)] {
 set style line 10 lc "#808080" dt 2
 set border 3
 set tics out nomirror
-set key bottom right samplen 2 spacing 1.1
+set key samplen 2 spacing 1.1
 
 do for [format in "png svg"] {
   if (format eq "png") { set terminal pngcairo noenhanced size 1500,640 font "sans,14" } else { set terminal svg noenhanced size 1500,640 font "sans,14" }
   set output picture.".".format
   set multiplot layout 1,2
+  set key bottom right
   set title "Errors fall as the first and the second power of the size"
   set xlabel "size over the largest"
   set ylabel "error over that at the largest size"
@@ -39,6 +40,7 @@ do for [format in "png svg"] {
     for [i = 1:words(curves)] rows_of(word(curves, i)) using ($3 / largest[i]):(abs($5 - $4) / worst[i]) \
       with linespoints lw 2 pt 7 lc rgb colour(i) title word(titles, i)
   unset logscale
+  set key top left
   set title "Vertical cut in clay: where it collapses"
   set xlabel "cell over the height of the cut"
   set ylabel "unit weight times height over cohesion"
