@@ -50,6 +50,31 @@ run_make() { PATH=$make_path run make --no-print-directory -C "$TOP" PACKAGES="m
   done
 }
 
+@test "the pipe in README runs as pasted" {
+  cd "$BATS_TEST_TMPDIR"
+  ln -s "$SLIDEZONE_BUILD" build
+  ln -s "$TOP/pipelines" pipelines
+  awk '/^```sh$/ { block = ""; is_in = 1; next } /^```$/ { is_in = 0; if (block ~ /rfgen/) printf "%s", block } is_in { block = block $0 "\n" }' \
+    "$TOP/README.md" >pasted
+  assert_file_contains pasted 'rfmap .* mpmrun .* mcstats'
+  run --separate-stderr bash -eu -o pipefail pasted
+  assert_success
+  assert_line --regexp '^runs.total.1.'
+}
+
+@test "an installation puts every tool and its man page below PREFIX" {
+  local tool name
+  run cmake --install "$SLIDEZONE_BUILD" --prefix "$BATS_TEST_TMPDIR/prefix"
+  assert_success
+  for tool in "$TOP"/tools/*.cpp; do
+    name=$(basename "$tool" .cpp)
+    run "$BATS_TEST_TMPDIR/prefix/bin/$name" --version
+    assert_success
+    run grep -c "^$name .*- " "$BATS_TEST_TMPDIR/prefix/share/man/man1/$name.1"
+    assert_output 1
+  done
+}
+
 @test "nothing missing: apt-get is not called" {
   installed_are make gcc bats cmake
   run_make setup
