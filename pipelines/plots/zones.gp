@@ -70,7 +70,7 @@ text_on(side) = strcol("side") eq side ? strcol("name").": ".verdict(strcol("cla
 
 set size ratio -1
 set xrange [left:right]
-set yrange [line_y(0.001) - 0.1 * top:1.8 * top]
+set yrange [line_y(0.001) - 0.1 * top:(structures eq "" ? 1.2 : 1.8) * top]
 unset ytics
 set lmargin at screen 0.02
 set rmargin at screen 0.98
