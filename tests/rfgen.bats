@@ -137,6 +137,45 @@ with() { sed "s/^autocorrelation = .*/$1/" "$scene" >with.toml; }
   assert_not_exist fields.h5
 }
 
+# ---- marginals ----
+
+# moments_of FILE: mean and coefficient of variation of all values.
+moments_of() {
+  h5_numbers "$1" /cohesion | awk '{ sum += $1; squares += $1 * $1 } END { mean = sum / NR; print mean, sqrt(squares / NR - mean * mean) / mean }'
+}
+
+@test "every marginal has the mean and spread of the scene" {
+  # Ten samples at scales of 1 m; four standard errors: 5 kPa x sqrt(.0071 / 10) x 4 = 530 Pa; of the COV, 6.3 times 1.3 %.
+  local marginal mean cov
+  for marginal in normal gamma Weibull uniform 'beta"\nlow = "4 kPa"\nhigh = "60 kPa' 'truncated normal"\nlow = "1 kPa"\nhigh = "60 kPa'; do
+    sed "s/^marginal = .*/marginal = \"$marginal\"/" "$scene" >marginal.toml
+    rfgen marginal.toml -n 10 -o fields.h5
+    read -r mean cov < <(moments_of fields.h5)
+    assert_near "$mean" 20000 530
+    assert_near "$cov" 0.25 0.02
+  done
+}
+
+@test "an empirical marginal stays within its data" {
+  sed 's/^marginal = .*/marginal = "empirical"\ndata = ["14 kPa", "17 kPa", "20 kPa", "28 kPa"]/; /^mean/d; /^cov/d' "$scene" >data.toml
+  rfgen data.toml -n 2 -o fields.h5
+  h5_numbers fields.h5 /cohesion | sort -g >values
+  assert_near "$(head -n 1 values)" 14000 0
+  assert_near "$(tail -n 1 values)" 28000 0
+}
+
+@test "a marginal or a correlation that cannot be exits 65 and says what can" {
+  sed 's/^marginal = .*/marginal = "beta"\nlow = "18 kPa"\nhigh = "22 kPa"/' "$scene" >beta.toml
+  run rfgen beta.toml -n 1 -o fields.h5
+  assert_failure 65
+  assert_output --partial "[field.cohesion]: a beta distribution from 1.8e+04 to 2.2e+04 of mean 2e+04 has a standard deviation below 2000, found 5000"
+  sed 's/^cov = .*/cov = 8\ncorrelation_of = "physical"/; s/"single exponential"/"cosine exponential"/' "$scene" >negative.toml
+  run rfgen negative.toml -n 1 -o fields.h5
+  assert_failure 65
+  assert_output --regexp 'a correlation of -0\.[0-9]+ between values of this marginal distribution is infeasible; feasible are -0.01[0-9]* to 1'
+  assert_not_exist fields.h5
+}
+
 # ---- samples ----
 
 @test "count and seed come from [study] unless given" {

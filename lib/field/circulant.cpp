@@ -10,7 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "field/autocorrelation.hpp"
+#include "field/cell_correlation.hpp"
 
 namespace slidezone {
 
@@ -57,13 +57,12 @@ std::size_t convenient(std::size_t least) {
 double ring_lag(std::size_t i, std::size_t n) { return static_cast<double>(i) - (2 * i > n ? static_cast<double>(n) : 0); }
 
 /// The first row of the periodic covariance. Opposite lags, two ways to the far side, get the mean: so it stays even.
-void fill_with_covariance(Torus& torus, const FieldModel& model) {
+void fill_with_covariance(Torus& torus, const CellCorrelation& correlation) {
   for (std::size_t j = 0; j < torus.cells_y; ++j)
     for (std::size_t i = 0; i < torus.cells_x; ++i) {
-      const double dx = ring_lag(i, torus.cells_x) * model.mesh.cell_x, dy = ring_lag(j, torus.cells_y) * model.mesh.cell_y;
+      const double x = ring_lag(i, torus.cells_x), y = ring_lag(j, torus.cells_y);
       const bool is_far = 2 * i == torus.cells_x || 2 * j == torus.cells_y;
-      const double here = autocorrelation(model.correlation, dx, dy);
-      torus.values[j * torus.cells_x + i] = is_far ? (here + autocorrelation(model.correlation, dx, -dy)) / 2 : here;
+      torus.values[j * torus.cells_x + i] = is_far ? (correlation(x, y) + correlation(x, -y)) / 2 : correlation(x, y);
     }
 }
 
@@ -73,8 +72,8 @@ struct Spectrum {
   double greatest = 0;
 };
 
-Spectrum spectrum_of(Torus& torus, const FieldModel& model) {
-  fill_with_covariance(torus, model);
+Spectrum spectrum_of(Torus& torus, const CellCorrelation& correlation) {
+  fill_with_covariance(torus, correlation);
   fftw_execute(torus.forward.get());
   Spectrum spectrum;
   spectrum.eigenvalues.resize(torus.modes());
@@ -100,9 +99,9 @@ void check_size(std::size_t cells_x, std::size_t cells_y, std::size_t largest) {
 }
 
 /// The axis at whose far side the correlation is stronger is too short: it is doubled.
-void lengthen(std::size_t& cells_x, std::size_t& cells_y, const FieldModel& model) {
-  const double far_x = std::abs(autocorrelation(model.correlation, static_cast<double>(cells_x / 2) * model.mesh.cell_x, 0));
-  const double far_y = std::abs(autocorrelation(model.correlation, 0, static_cast<double>(cells_y / 2) * model.mesh.cell_y));
+void lengthen(std::size_t& cells_x, std::size_t& cells_y, const CellCorrelation& correlation) {
+  const double far_x = std::abs(correlation(static_cast<double>(cells_x / 2), 0));
+  const double far_y = std::abs(correlation(0, static_cast<double>(cells_y / 2)));
   std::size_t& shorter = far_x >= far_y ? cells_x : cells_y;
   shorter = convenient(2 * shorter);
 }
@@ -126,17 +125,18 @@ struct CirculantEmbedding::State {
 
 CirculantEmbedding::CirculantEmbedding(const FieldModel& model, std::size_t largest_mesh) {
   constexpr double rounding = 1e-12;
+  const CellCorrelation correlation(model);
   const auto columns = static_cast<std::size_t>(model.mesh.cells_x), rows = static_cast<std::size_t>(model.mesh.cells_y);
   std::size_t x = convenient(2 * columns), y = convenient(2 * rows);
   check_size(x, y, largest_mesh);
   for (;;) {
     Torus torus(x, y);
-    const Spectrum spectrum = spectrum_of(torus, model);
+    const Spectrum spectrum = spectrum_of(torus, correlation);
     if (spectrum.least >= -rounding * spectrum.greatest) {
       state_.reset(new State(columns, std::move(torus), spectrum));
       return;
     }
-    lengthen(x, y, model);
+    lengthen(x, y, correlation);
     if (x * y > largest_mesh) fail(torus, spectrum);
   }
 }

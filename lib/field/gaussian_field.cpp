@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "field/autocorrelation.hpp"
+#include "field/cell_correlation.hpp"
 #include "field/covariance_factor.hpp"
 #include "field/mesh_covariance.hpp"
 
@@ -34,8 +34,10 @@ void check_definiteness(const Correlation& correlation) {
     throw Error(ExitCode::data, "the autocorrelation \"binary noise\" is not positive definite with an elliptical lag; make it separable");
 }
 
-bool is_sweepable(const Correlation& correlation) {
-  return correlation.function == Autocorrelation::single_exponential && is_separable(correlation);
+bool is_separable(const FieldModel& model) { return CellCorrelation(model).is_separable(); }
+
+bool is_sweepable(const FieldModel& model) {
+  return model.correlation.function == Autocorrelation::single_exponential && is_separable(model);
 }
 
 }  // namespace
@@ -47,7 +49,7 @@ GaussianField::GaussianField(const FieldModel& model) : nugget_(model.correlatio
       choose(model);
       break;
     case Method::separable:
-      is_sweepable(model.correlation) ? use_sweep(model) : use_separable(model);
+      is_sweepable(model) ? use_sweep(model) : use_separable(model);
       break;
     case Method::circulant:
       use_circulant(model);
@@ -64,8 +66,8 @@ GaussianField::GaussianField(const FieldModel& model) : nugget_(model.correlatio
 
 /// The cheapest exact method.
 void GaussianField::choose(const FieldModel& model) {
-  const bool is_product = is_separable(model.correlation);
-  if (is_sweepable(model.correlation)) {
+  const bool is_product = is_separable(model);
+  if (is_sweepable(model)) {
     use_sweep(model);
     report_.reason = "a separable single exponential is an autoregression along each axis: exact, and the cheapest of all";
   } else if (is_product && model.mesh.cells_x + model.mesh.cells_y <= longest_axis) {
@@ -75,8 +77,8 @@ void GaussianField::choose(const FieldModel& model) {
   } else {
     try {
       use_circulant(model);
-      report_.reason =
-          is_product ? "the axes are long: Fourier transforms are cheaper than factors" : "the correlation is not separable along x and y";
+      report_.reason = is_product ? "the axes are long: Fourier transforms are cheaper than factors"
+                                  : "the correlation of the Gaussian field is not separable along x and y";
     } catch (const Error&) {
       if (model.mesh.size() > small_mesh) throw;
       use_cholesky(model);
@@ -93,9 +95,10 @@ void GaussianField::use_sweep(const FieldModel& model) {
 }
 
 void GaussianField::use_separable(const FieldModel& model) {
-  if (!is_separable(model.correlation))
+  if (!is_separable(model))
     throw Error(ExitCode::data,
-                "method \"separable\" wants a separable correlation without bedding angle; take method \"circulant\" or \"auto\"");
+                "method \"separable\" wants a separable correlation of the Gaussian field, without bedding angle; take method "
+                "\"circulant\" or \"auto\"");
   check_memory("separable", std::max(model.mesh.cells_x, model.mesh.cells_y), 4);
   CovarianceFactor x = clipped_factor(row_covariance(model)), y = clipped_factor(column_covariance(model));
   report_ = {"separable", "", x.error + y.error + x.error * y.error, 1};
@@ -115,7 +118,7 @@ void GaussianField::use_cholesky(const FieldModel& model) {
 }
 
 void GaussianField::use_karhunen_loeve(const FieldModel& model) {
-  const bool is_product = is_separable(model.correlation);
+  const bool is_product = is_separable(model);
   check_memory("Karhunen-Loeve", is_product ? std::max(model.mesh.cells_x, model.mesh.cells_y) : static_cast<double>(model.mesh.size()), 3);
   KarhunenLoeve expansion = karhunen_loeve(model);
   report_ = {"Karhunen-Loeve", "", expansion.covariance_error, expansion.variance_kept};

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "field/autocorrelation.hpp"
+#include "field/cell_correlation.hpp"
 #include "field/mesh_covariance.hpp"
 
 namespace slidezone {
@@ -33,7 +33,7 @@ static double largest_loss(const KarhunenLoeve& expansion) {
 KarhunenLoeve karhunen_loeve(const FieldModel& model) {
   using Solver = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
   KarhunenLoeve expansion;
-  const bool is_product = is_separable(model.correlation);
+  const bool is_product = CellCorrelation(model).is_separable();
   const Solver x(is_product ? row_covariance(model) : full_covariance(model));
   const Solver y(is_product ? column_covariance(model) : Eigen::MatrixXd::Ones(1, 1));
   expansion.modes_x = x.eigenvectors();

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "field/autocorrelation.hpp"
+#include "field/cell_correlation.hpp"
 
 namespace slidezone {
 
@@ -16,25 +16,25 @@ static Eigen::MatrixXd toeplitz(const Eigen::VectorXd& first_row) {
 
 Eigen::MatrixXd row_covariance(const FieldModel& model) {
   Eigen::VectorXd first(model.mesh.cells_x);
-  for (Eigen::Index i = 0; i < first.size(); ++i)
-    first(i) = autocorrelation(model.correlation, static_cast<double>(i) * model.mesh.cell_x, 0);
+  const CellCorrelation correlation(model);
+  for (Eigen::Index i = 0; i < first.size(); ++i) first(i) = correlation(static_cast<double>(i), 0);
   return toeplitz(first);
 }
 
 Eigen::MatrixXd column_covariance(const FieldModel& model) {
   Eigen::VectorXd first(model.mesh.cells_y);
-  for (Eigen::Index i = 0; i < first.size(); ++i)
-    first(i) = autocorrelation(model.correlation, 0, static_cast<double>(i) * model.mesh.cell_y);
+  const CellCorrelation correlation(model);
+  for (Eigen::Index i = 0; i < first.size(); ++i) first(i) = correlation(0, static_cast<double>(i));
   return toeplitz(first);
 }
 
 Eigen::MatrixXd full_covariance(const FieldModel& model) {
+  const CellCorrelation correlation(model);
   const Eigen::Index columns = model.mesh.cells_x, rows = model.mesh.cells_y;
   Eigen::MatrixXd lags(2 * columns - 1, 2 * rows - 1);  // every lag once
   for (Eigen::Index j = 0; j < lags.cols(); ++j)
     for (Eigen::Index i = 0; i < lags.rows(); ++i)
-      lags(i, j) = autocorrelation(model.correlation, static_cast<double>(i - columns + 1) * model.mesh.cell_x,
-                                   static_cast<double>(j - rows + 1) * model.mesh.cell_y);
+      lags(i, j) = correlation(static_cast<double>(i - columns + 1), static_cast<double>(j - rows + 1));
   Eigen::MatrixXd matrix(columns * rows, columns * rows);
   for (Eigen::Index b = 0; b < matrix.cols(); ++b)
     for (Eigen::Index a = 0; a < matrix.rows(); ++a)

@@ -19,6 +19,17 @@ const std::vector<std::string>& lag_shape_names() {
   return names;
 }
 
+const std::vector<std::string>& distribution_names() {
+  static const std::vector<std::string> names = {"lognormal", "normal",  "truncated normal", "beta",
+                                                 "gamma",     "Weibull", "uniform",          "empirical"};
+  return names;
+}
+
+const std::vector<std::string>& correlation_of_names() {
+  static const std::vector<std::string> names = {"Gaussian", "physical"};
+  return names;
+}
+
 const std::vector<std::string>& method_names() {
   static const std::vector<std::string> names = {"auto", "separable", "circulant", "Cholesky", "Karhunen-Loeve"};
   return names;

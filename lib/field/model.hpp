@@ -37,21 +37,38 @@ struct Correlation {
   double nugget = 0;         // share of the variance that is noise without correlation from cell to cell
 };
 
+/// Formulas in field/marginal.hpp.
+enum class Distribution { lognormal, normal, truncated_normal, beta, gamma, weibull, uniform, empirical };
+
+struct Marginal {
+  Distribution distribution = Distribution::lognormal;
+  double mean = 0;  // of the truncated normal: before it is cut; of the empirical: not used
+  double cov = 0;   // coefficient of variation, likewise
+  double low = 0;   // ends of the truncated normal and of beta
+  double high = 0;
+  std::vector<double> data;  // of the empirical
+};
+
+/// Which field has the correlation that is given: the Gaussian field behind the values, as in the paper, or the values themselves.
+enum class CorrelationOf { gaussian, physical };
+
 /// How Gaussian fields are made; field/gaussian_field.hpp says what each can do.
 enum class Method { automatic, separable, circulant, cholesky, karhunen_loeve };
 
 struct FieldModel {
   FieldMesh mesh;
   Correlation correlation;
+  CorrelationOf correlation_of = CorrelationOf::gaussian;
   Method method = Method::automatic;
   double variance_kept = 0.99;  // by the modes of Karhunen-Loeve
-  double mean = 0;
-  double cov = 0;  // coefficient of variation
+  Marginal marginal;
 };
 
 /// Names in scenes, in the order of the enumerations.
 const std::vector<std::string>& autocorrelation_names();
 const std::vector<std::string>& lag_shape_names();
+const std::vector<std::string>& distribution_names();
+const std::vector<std::string>& correlation_of_names();
 const std::vector<std::string>& method_names();
 
 }  // namespace slidezone

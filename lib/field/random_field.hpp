@@ -1,5 +1,5 @@
 // Samples of a random field on a mesh: a standard Gaussian field (field/gaussian_field.hpp) given its marginal distribution
-// (field/lognormal.hpp) and raised to a floor.
+// (field/marginal.hpp) and raised to a floor (field/lognormal.hpp).
 //
 // A sample depends on its random stream and on the model alone: any of them can be drawn anywhere, with or without others.
 #pragma once
@@ -10,6 +10,7 @@
 #include "core/random.hpp"
 #include "field/gaussian_field.hpp"
 #include "field/lognormal.hpp"
+#include "field/marginal.hpp"
 #include "field/model.hpp"
 
 namespace slidezone {
@@ -17,12 +18,12 @@ namespace slidezone {
 class RandomField {
  public:
   /// `floor` is the lowest value.
-  RandomField(const FieldModel& model, double floor) : gaussian_(model), marginal_(lognormal(model.mean, model.cov)), floor_(floor) {}
+  RandomField(const FieldModel& model, double floor) : gaussian_(model), marginal_(model.marginal), floor_(floor) {}
 
   /// Fills `values`, of mesh.size(), with one sample; returns how many values were raised to the floor.
   std::size_t fill_sample(std::span<double> values, RandomStream stream) {
     gaussian_.fill(values, stream);
-    make_lognormal(values, marginal_);
+    marginal_.apply(values);
     return raise_to_floor(values, floor_);
   }
 
@@ -30,7 +31,7 @@ class RandomField {
 
  private:
   GaussianField gaussian_;
-  Lognormal marginal_;
+  MarginalTransform marginal_;
   double floor_;
 };
 

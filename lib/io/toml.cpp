@@ -166,6 +166,17 @@ Vec2 TomlTable::quantity_pair(const std::string& key, const std::string& unit, R
   return {item(0), item(1)};
 }
 
+std::vector<double> TomlTable::quantities(const std::string& key, const std::string& unit, Range range, std::size_t least) const {
+  const toml::node& node = required(*node_->table, *this, node_->table_name, key);
+  const toml::array* list = node.as_array();
+  if (list == nullptr || list->size() < least)
+    fail(key, "wants a list of at least " + std::to_string(least) + " like [\"" + quantity_example(unit) + "\", ...], found " +
+                  (list == nullptr ? description(node) : std::to_string(list->size())));
+  std::vector<double> values;
+  for (const toml::node& item : *list) values.push_back(quantity_of(item, location(node_->file_name, item.source()), key, unit, range));
+  return values;
+}
+
 double TomlTable::number(const std::string& key, Range range) const {
   const toml::node& node = required(*node_->table, *this, node_->table_name, key);
   if (!node.is_number()) fail(key, "wants a number without unit, found " + description(node));

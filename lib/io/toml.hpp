@@ -55,6 +55,8 @@ class TomlTable {
   std::string choice(const std::string& key, const std::vector<std::string>& names) const;
   /// One quantity for both axes, "0.2 m", or one for each, ["0.2 m", "0.1 m"] (x, y).
   Vec2 quantity_pair(const std::string& key, const std::string& unit, Range range) const;
+  /// A list of quantities; at least `least` of them.
+  std::vector<double> quantities(const std::string& key, const std::string& unit, Range range, std::size_t least) const;
   /// [["0 m", "5 m"], ...] as points in metres; at least `least` of them.
   std::vector<Vec2> polyline(const std::string& key, std::size_t least) const;
 

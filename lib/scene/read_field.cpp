@@ -53,28 +53,55 @@ static Correlation read_correlation(const TomlTable& table) {
   return correlation;
 }
 
+/// Ends where the distribution has them, data where it is made of them; both have no place elsewhere.
+static Marginal read_marginal(const TomlTable& table) {
+  Marginal marginal;
+  marginal.distribution = named_or(table, "marginal", distribution_names(), marginal.distribution);
+  const bool is_empirical = marginal.distribution == Distribution::empirical;
+  const bool has_ends = marginal.distribution == Distribution::truncated_normal || marginal.distribution == Distribution::beta;
+  for (const char* key : {"mean", "cov"})
+    if (is_empirical && table.has(key)) table.fail(key, "has no meaning with marginal = \"empirical\": the data say it");
+  for (const char* key : {"low", "high"})
+    if (!has_ends && table.has(key)) table.fail(key, "has a meaning only with marginal = \"truncated normal\" or \"beta\"");
+  if (!is_empirical && table.has("data")) table.fail("data", "has a meaning only with marginal = \"empirical\"");
+  if (is_empirical) {
+    marginal.data = table.quantities("data", "Pa", positive, 2);
+    return marginal;
+  }
+  marginal.mean = table.quantity("mean", "Pa", positive);
+  marginal.cov = table.number("cov", coefficients_of_variation);
+  if (!has_ends) return marginal;
+  marginal.low = table.quantity("low", "Pa", not_negative);
+  marginal.high = table.quantity("high", "Pa", positive);
+  if (marginal.low >= marginal.mean) table.fail("low", "wants less than the mean");
+  if (marginal.high <= marginal.mean) table.fail("high", "wants more than the mean");
+  return marginal;
+}
+
 /// Strength never falls below the residual one: values below that floor are raised to it.
-static void check_floor(const TomlTable& table, const FieldModel& field, const std::vector<Layer>& layers) {
+static void check_floor(const TomlTable& table, const Marginal& marginal, const std::vector<Layer>& layers) {
+  const bool is_empirical = marginal.distribution == Distribution::empirical;
+  const double center = is_empirical ? *std::ranges::max_element(marginal.data) : marginal.mean;
   for (const Layer& layer : layers)
-    if (field.mean <= layer.material.residual_cohesion)
-      table.fail("mean", "wants more than the residual cohesion of soil \"" + layer.name + "\", " +
-                             kilopascals(layer.material.residual_cohesion) + ", the floor of the field, found " + kilopascals(field.mean));
+    if (center <= layer.material.residual_cohesion)
+      table.fail(is_empirical ? "data" : "mean", "wants more than the residual cohesion of soil \"" + layer.name + "\", " +
+                                                     kilopascals(layer.material.residual_cohesion) + ", the floor of the field, found " +
+                                                     (is_empirical ? "at most " : "") + kilopascals(center));
 }
 
 static FieldSpec read_cohesion(const TomlTable& table, const Slope& slope, const std::vector<Layer>& layers) {
-  table.check_keys({"mean", "cov", "marginal", "autocorrelation", "smoothness", "horizontal_scale", "vertical_scale", "lag",
-                    "bedding_angle", "nugget", "method", "variance_kept", "cell"});
+  table.check_keys({"mean", "cov", "marginal", "low", "high", "data", "autocorrelation", "smoothness", "horizontal_scale", "vertical_scale",
+                    "lag", "bedding_angle", "nugget", "correlation_of", "method", "variance_kept", "cell"});
   FieldModel field;
-  field.mean = table.quantity("mean", "Pa", positive);
-  field.cov = table.number("cov", coefficients_of_variation);
-  table.choice_or("marginal", {"lognormal"}, "lognormal");
+  field.marginal = read_marginal(table);
   field.correlation = read_correlation(table);
+  field.correlation_of = named_or(table, "correlation_of", correlation_of_names(), field.correlation_of);
   field.mesh = read_mesh(table, slope);
   field.method = named_or(table, "method", method_names(), field.method);
   if (table.has("variance_kept") && field.method != Method::karhunen_loeve)
     table.fail("variance_kept", "has a meaning only with method = \"Karhunen-Loeve\"");
   field.variance_kept = table.number_or("variance_kept", shares, field.variance_kept);
-  check_floor(table, field, layers);
+  check_floor(table, field.marginal, layers);
   return {"cohesion", field};
 }
 

@@ -121,8 +121,8 @@ TEST(Scene, ReadsEveryKey) {
   ASSERT_EQ(scene.fields.size(), 1u);
   const FieldModel& field = scene.fields[0].model;
   EXPECT_EQ(scene.fields[0].parameter, "cohesion");
-  EXPECT_DOUBLE_EQ(field.mean, 20e3);
-  EXPECT_EQ(field.cov, 0.25);
+  EXPECT_DOUBLE_EQ(field.marginal.mean, 20e3);
+  EXPECT_EQ(field.marginal.cov, 0.25);
   EXPECT_EQ(field.correlation.horizontal_scale, 10);
   EXPECT_EQ(field.correlation.vertical_scale, 1);
   EXPECT_EQ(field.mesh.cells_x, 40);  // 20 m in cells of 0.5 m
@@ -317,6 +317,9 @@ TEST(Field, NamesStandForTheirFunctions) {
   EXPECT_EQ(field("autocorrelation = \"Matern\"\nsmoothness = 2").correlation.smoothness, 2);
   EXPECT_EQ(field("lag = \"elliptical\"").correlation.shape, LagShape::elliptical);
   EXPECT_NEAR(field("bedding_angle = \"-45 deg\"").correlation.bedding_angle, -std::numbers::pi / 4, 1e-15);
+  EXPECT_EQ(field("correlation_of = \"physical\"").correlation_of, CorrelationOf::physical);
+  EXPECT_EQ(field("marginal = \"Weibull\"").marginal.distribution, Distribution::weibull);
+  EXPECT_EQ(field("marginal = \"truncated normal\"\nlow = \"10 kPa\"\nhigh = \"40 kPa\"").marginal.high, 40e3);
   EXPECT_EQ(field("method = \"circulant\"").method, Method::circulant);
   EXPECT_EQ(field("method = \"Karhunen-Loeve\"\nvariance_kept = 0.5").variance_kept, 0.5);
 }
