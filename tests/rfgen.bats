@@ -126,6 +126,10 @@ with() { sed "s/^autocorrelation = .*/$1/" "$scene" >with.toml; }
 }
 
 @test "a method that cannot do what the scene wants exits 65 and leaves nothing" {
+  with 'lag = "elliptical"\naverage = "cell"'
+  run rfgen with.toml -n 1 -o fields.h5
+  assert_failure 65
+  assert_output --partial 'averages over cells want a separable correlation'
   with 'lag = "elliptical"\nmethod = "separable"'
   run rfgen with.toml -n 1 -o fields.h5
   assert_failure 65

@@ -189,6 +189,7 @@ BAD = [
     ("bedded", "nugget = 0.1", "nugget = @-0.1", "'nugget' wants a number at least 0 and below 1, found -0.1"),
     ("bedded", "nugget = 0.1", "nugget = @1", "'nugget' wants a number at least 0 and below 1, found 1"),
     ("bedded", "nugget = 0.1", "nugget = @true", "'nugget' wants a number without unit, found true"),
+    ("layers", '"cell"', '@"mean"', "'average' wants point or cell, found \"mean\""),
     ("bedded", '"Karhunen-Loeve"', '@"KL"', "'method' wants auto, separable, circulant, Cholesky or Karhunen-Loeve"),
     ("bedded", "variance_kept = 0.9", "variance_kept = @0", "'variance_kept' wants a number above 0 and at most 1, found 0"),
     ("bedded", "variance_kept = 0.9", "variance_kept = @2", "'variance_kept' wants a number above 0 and at most 1, found 2"),

@@ -57,7 +57,7 @@ std::size_t convenient(std::size_t least) {
 double ring_lag(std::size_t i, std::size_t n) { return static_cast<double>(i) - (2 * i > n ? static_cast<double>(n) : 0); }
 
 /// The first row of the periodic covariance. Opposite lags, two ways to the far side, get the mean: so it stays even.
-void fill_with_covariance(Torus& torus, const CellCorrelation& correlation) {
+void fill_with_covariance(Torus& torus, CellCorrelation& correlation) {
   for (std::size_t j = 0; j < torus.cells_y; ++j)
     for (std::size_t i = 0; i < torus.cells_x; ++i) {
       const double x = ring_lag(i, torus.cells_x), y = ring_lag(j, torus.cells_y);
@@ -72,7 +72,7 @@ struct Spectrum {
   double greatest = 0;
 };
 
-Spectrum spectrum_of(Torus& torus, const CellCorrelation& correlation) {
+Spectrum spectrum_of(Torus& torus, CellCorrelation& correlation) {
   fill_with_covariance(torus, correlation);
   fftw_execute(torus.forward.get());
   Spectrum spectrum;
@@ -99,7 +99,7 @@ void check_size(std::size_t cells_x, std::size_t cells_y, std::size_t largest) {
 }
 
 /// The axis at whose far side the correlation is stronger is too short: it is doubled.
-void lengthen(std::size_t& cells_x, std::size_t& cells_y, const CellCorrelation& correlation) {
+void lengthen(std::size_t& cells_x, std::size_t& cells_y, CellCorrelation& correlation) {
   const double far_x = std::abs(correlation(static_cast<double>(cells_x / 2), 0));
   const double far_y = std::abs(correlation(0, static_cast<double>(cells_y / 2)));
   std::size_t& shorter = far_x >= far_y ? cells_x : cells_y;
@@ -125,7 +125,7 @@ struct CirculantEmbedding::State {
 
 CirculantEmbedding::CirculantEmbedding(const FieldModel& model, std::size_t largest_mesh) {
   constexpr double rounding = 1e-12;
-  const CellCorrelation correlation(model);
+  CellCorrelation correlation(model);
   const auto columns = static_cast<std::size_t>(model.mesh.cells_x), rows = static_cast<std::size_t>(model.mesh.cells_y);
   std::size_t x = convenient(2 * columns), y = convenient(2 * rows);
   check_size(x, y, largest_mesh);

@@ -37,7 +37,7 @@ void check_definiteness(const Correlation& correlation) {
 bool is_separable(const FieldModel& model) { return CellCorrelation(model).is_separable(); }
 
 bool is_sweepable(const FieldModel& model) {
-  return model.correlation.function == Autocorrelation::single_exponential && is_separable(model);
+  return model.correlation.function == Autocorrelation::single_exponential && is_separable(model) && model.average == Average::point;
 }
 
 }  // namespace

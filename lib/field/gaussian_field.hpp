@@ -1,6 +1,6 @@
 // Standard Gaussian fields on a mesh, by the method that the model names or by the cheapest exact one.
 //
-//   sweep           single exponential, separable, no bedding angle: AR(1) along each axis, exact (field/exponential.hpp); O(n)
+//   sweep           single exponential, separable, no bedding angle, at points: AR(1) along each axis, exact (field/exponential.hpp); O(n)
 //   separable       any separable correlation: a triangular factor per axis (field/covariance_factor.hpp); O(n (cells_x + cells_y))
 //   circulant       any correlation (field/circulant.hpp); O(n log n), n of the padded mesh
 //   Cholesky        any correlation, the paper's method (Eqs. 25-27): a triangular factor of all cells; n^2 / 2 numbers
@@ -36,7 +36,7 @@ class GaussianField {
  public:
   explicit GaussianField(const FieldModel& model);
 
-  /// Fills `values`, of mesh.size(), with one field of mean 0 and variance 1.
+  /// Fills `values`, of mesh.size(), with one field of mean 0 and variance 1, or that of averages over cells.
   void fill(std::span<double> values, RandomStream stream);
 
   const MethodReport& report() const { return report_; }

@@ -22,12 +22,12 @@ static void keep_strongest(KarhunenLoeve& expansion, const Eigen::VectorXd& lamb
   expansion.variance_kept = sum / total;
 }
 
-/// The largest loss of variance at a cell; the full variance is one.
-static double largest_loss(const KarhunenLoeve& expansion) {
+/// The largest loss of variance at a cell.
+static double largest_loss(const KarhunenLoeve& expansion, double full_variance) {
   Eigen::MatrixXd lambda = Eigen::MatrixXd::Zero(expansion.modes_x.cols(), expansion.modes_y.cols());
   for (const KarhunenLoeve::Mode& mode : expansion.modes) lambda(mode.x, mode.y) = mode.amplitude * mode.amplitude;
   const Eigen::MatrixXd variance = expansion.modes_x.cwiseAbs2() * lambda * expansion.modes_y.cwiseAbs2().transpose();
-  return 1 - variance.minCoeff();
+  return full_variance - variance.minCoeff();
 }
 
 KarhunenLoeve karhunen_loeve(const FieldModel& model) {
@@ -39,7 +39,7 @@ KarhunenLoeve karhunen_loeve(const FieldModel& model) {
   expansion.modes_x = x.eigenvectors();
   expansion.modes_y = y.eigenvectors();
   keep_strongest(expansion, x.eigenvalues(), y.eigenvalues(), model.variance_kept);
-  expansion.covariance_error = largest_loss(expansion);
+  expansion.covariance_error = largest_loss(expansion, CellCorrelation(model)(0, 0));
   return expansion;
 }
 

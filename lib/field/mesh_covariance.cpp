@@ -16,20 +16,20 @@ static Eigen::MatrixXd toeplitz(const Eigen::VectorXd& first_row) {
 
 Eigen::MatrixXd row_covariance(const FieldModel& model) {
   Eigen::VectorXd first(model.mesh.cells_x);
-  const CellCorrelation correlation(model);
+  CellCorrelation correlation(model);
   for (Eigen::Index i = 0; i < first.size(); ++i) first(i) = correlation(static_cast<double>(i), 0);
   return toeplitz(first);
 }
 
 Eigen::MatrixXd column_covariance(const FieldModel& model) {
   Eigen::VectorXd first(model.mesh.cells_y);
-  const CellCorrelation correlation(model);
+  CellCorrelation correlation(model);
   for (Eigen::Index i = 0; i < first.size(); ++i) first(i) = correlation(0, static_cast<double>(i));
-  return toeplitz(first);
+  return toeplitz(first / correlation(0, 0));
 }
 
 Eigen::MatrixXd full_covariance(const FieldModel& model) {
-  const CellCorrelation correlation(model);
+  CellCorrelation correlation(model);
   const Eigen::Index columns = model.mesh.cells_x, rows = model.mesh.cells_y;
   Eigen::MatrixXd lags(2 * columns - 1, 2 * rows - 1);  // every lag once
   for (Eigen::Index j = 0; j < lags.cols(); ++j)

@@ -7,7 +7,7 @@
 
 namespace slidezone {
 
-/// Of the cells of one row or column of a separable model: the other factor is that of the other axis.
+/// Of the cells of one row of a separable model, and of one column over the variance: their products are the covariances.
 Eigen::MatrixXd row_covariance(const FieldModel& model);
 Eigen::MatrixXd column_covariance(const FieldModel& model);
 

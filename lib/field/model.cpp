@@ -30,6 +30,11 @@ const std::vector<std::string>& correlation_of_names() {
   return names;
 }
 
+const std::vector<std::string>& average_names() {
+  static const std::vector<std::string> names = {"point", "cell"};
+  return names;
+}
+
 const std::vector<std::string>& method_names() {
   static const std::vector<std::string> names = {"auto", "separable", "circulant", "Cholesky", "Karhunen-Loeve"};
   return names;

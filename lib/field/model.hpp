@@ -52,6 +52,9 @@ struct Marginal {
 /// Which field has the correlation that is given: the Gaussian field behind the values, as in the paper, or the values themselves.
 enum class CorrelationOf { gaussian, physical };
 
+/// What a cell's number stands for: the Gaussian field at the cell's centre, or its average over the cell.
+enum class Average { point, cell };
+
 /// How Gaussian fields are made; field/gaussian_field.hpp says what each can do.
 enum class Method { automatic, separable, circulant, cholesky, karhunen_loeve };
 
@@ -59,6 +62,7 @@ struct FieldModel {
   FieldMesh mesh;
   Correlation correlation;
   CorrelationOf correlation_of = CorrelationOf::gaussian;
+  Average average = Average::point;
   Method method = Method::automatic;
   double variance_kept = 0.99;  // by the modes of Karhunen-Loeve
   Marginal marginal;
@@ -69,6 +73,7 @@ const std::vector<std::string>& autocorrelation_names();
 const std::vector<std::string>& lag_shape_names();
 const std::vector<std::string>& distribution_names();
 const std::vector<std::string>& correlation_of_names();
+const std::vector<std::string>& average_names();
 const std::vector<std::string>& method_names();
 
 }  // namespace slidezone

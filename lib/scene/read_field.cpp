@@ -91,11 +91,12 @@ static void check_floor(const TomlTable& table, const Marginal& marginal, const 
 
 static FieldSpec read_cohesion(const TomlTable& table, const Slope& slope, const std::vector<Layer>& layers) {
   table.check_keys({"mean", "cov", "marginal", "low", "high", "data", "autocorrelation", "smoothness", "horizontal_scale", "vertical_scale",
-                    "lag", "bedding_angle", "nugget", "correlation_of", "method", "variance_kept", "cell"});
+                    "lag", "bedding_angle", "nugget", "correlation_of", "average", "method", "variance_kept", "cell"});
   FieldModel field;
   field.marginal = read_marginal(table);
   field.correlation = read_correlation(table);
   field.correlation_of = named_or(table, "correlation_of", correlation_of_names(), field.correlation_of);
+  field.average = named_or(table, "average", average_names(), field.average);
   field.mesh = read_mesh(table, slope);
   field.method = named_or(table, "method", method_names(), field.method);
   if (table.has("variance_kept") && field.method != Method::karhunen_loeve)

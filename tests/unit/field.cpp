@@ -21,6 +21,7 @@
 #include "field/exponential.hpp"
 #include "field/gaussian_field.hpp"
 #include "field/karhunen_loeve.hpp"
+#include "field/local_average.hpp"
 #include "field/lognormal.hpp"
 #include "field/marginal.hpp"
 #include "field/mesh.hpp"
@@ -283,6 +284,51 @@ TEST(GaussianField, IsTheSameWhateverWasDrawnBefore) {
     field.fill(again, {1, 2, 3});
     EXPECT_EQ(first, again);
   }
+}
+
+// ---- local averages ----
+
+TEST(LocalAverage, VarianceIsTheVarianceFunction) {  // all digits given
+  const double lengths[] = {0.1, 0.5, 1, 2};
+  const struct {
+    Autocorrelation function;
+    double values[4];
+  } published[] = {
+      {Autocorrelation::single_exponential, {.936537653899, .735758882343, .567667641618, .377289454861}},
+      {Autocorrelation::squared_exponential, {.994796727262, .887096098601, .683256649036, .420422538386}},
+      {Autocorrelation::second_order_markov, {.988601956515, .838338208092, .641026184028, .406365315278}},
+  };
+  for (const auto& [function, values] : published)
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(average_covariance(function, 0, lengths[i], 0), values[i], 1e-12) << name_of(function);
+}
+
+TEST(LocalAverage, AveragesOfAveragesAreAverages) {
+  // The mean of n adjoining averages is the average over n lengths: n^2 gamma(n T) = sum of their covariances.
+  for (const Autocorrelation function : every_function) {
+    double sum = 0;
+    for (int a = 0; a < 6; ++a)
+      for (int b = 0; b < 6; ++b) sum += average_covariance(function, smoothness, 0.3, a - b);
+    EXPECT_NEAR(sum / 36, average_covariance(function, smoothness, 1.8, 0), 1e-10) << name_of(function);
+  }
+}
+
+TEST(LocalAverage, FieldsHaveIt) {
+  FieldModel averaged = model({1, 0.5, 7, 6}, Autocorrelation::single_exponential, 3, 1);
+  averaged.average = Average::cell;
+  Eigen::MatrixXd covariance(42, 42);
+  for (int a = 0; a < 42; ++a)
+    for (int b = 0; b < 42; ++b)
+      covariance(a, b) = average_covariance(Autocorrelation::single_exponential, 0, 1. / 3, a % 7 - b % 7) *
+                         average_covariance(Autocorrelation::single_exponential, 0, 0.5, a / 7 - b / 7);
+  EXPECT_LT((full_covariance(averaged) - covariance).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_EQ(GaussianField(averaged).report().method, "separable");
+  for (const Method method : {Method::separable, Method::circulant})
+    expect_covariance(with_method(averaged, method), covariance, "average");
+  FieldModel whole = with_method(averaged, Method::karhunen_loeve);
+  whole.variance_kept = 1;
+  expect_covariance(whole, covariance, "average by all modes");
+  EXPECT_NEAR(GaussianField(whole).report().covariance_error, 0, 1e-12);
+  EXPECT_THROW(GaussianField(elliptical(averaged)), Error);
 }
 
 // ---- guards of positive definiteness ----
