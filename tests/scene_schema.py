@@ -213,6 +213,21 @@ BAD = [
     ("layers", "realizations = 100", "realizations = 9223372036854775808@", "Error while parsing decimal integer"),
     ("layers", "realizations = 100", "realizations = @0", "'realizations' wants a whole number from 1 to 9223372036854775807, found 0"),
     ("layers", "realizations = 100", 'realizations = @"100"', "'realizations' wants a whole number"),
+    # [site]
+    ("layers", "[site]", "@[[site]]", "'site' wants a table, found a list; write [site]"),
+    ("layers", "bearing =", "@baering =", "unknown key 'baering' in [site]; did you mean 'bearing'?"),
+    ("layers", "epsg = 25832\n", "", "no key 'epsg' in [site]"),
+    ("layers", "epsg = 25832", "epsg = @1023", "'epsg' wants a whole number from 1024 to 32767, found 1023"),
+    ("layers", "epsg = 25832", "epsg = @32768", "'epsg' wants a whole number from 1024 to 32767, found 32768"),
+    ("layers", "epsg = 25832", 'epsg = @"25832"', "'epsg' wants a whole number"),
+    ("layers", re.compile(r'crest = .*\n'), "", "no key 'crest' in [site]"),
+    ("layers", re.compile(r'toe = .*\n'), "", "no key 'toe' in [site]"),
+    ("layers", '["565000 m", "5933000 m"]', '@"565000 m"', "'crest' wants easting and northing like"),
+    ("layers", '["565000 m", "5933000 m"]', '@["565000 m"]', "'crest' wants"),
+    ("layers", '["565000 m", "5933000 m"]', '@["565000 m", "5933000 m", "0 m"]', "'crest' wants"),
+    ("layers", '"5933000 m"', '@5933000', "'crest' wants"),
+    ("layers", '"143 deg"', '@"-37 deg"', "'bearing' wants"),
+    ("layers", '"30 m"', '@"0 m"', "'width' wants above 0 m"),
 ]
 
 # What the schema cannot tell: other ways to write TOML wrong, units, numbers that are not finite, what joins several keys.
@@ -227,6 +242,7 @@ READER_ALONE = [
     ("cut", "k0 = 0.5", "k0 = @inf", "'k0' wants a finite number, found inf"),
     ("cut", "poisson_ratio = 0.3\n", "poisson_ratio = @nan\n", "'poisson_ratio' wants a finite number, found nan"),
     ("cut", "points_per_cell = 2", "points_per_cell = @2.0", "'points_per_cell' wants a whole number from 1 to 8, found 2"),
+    ("layers", re.compile(r"toe = .*\nbearing = .*\n"), 'toe = @["565000 m", "5933000 m"]\n', "'toe' is where the crest is: say with 'bearing'"),
     # tables that this reader needs
     ("cut", re.compile(r"\[grid\].*?(?=\[\[)", re.S), "", "no table [grid] in the scene"),
     ("cut", TWO_SOILS, r"\1\2", "no table [soil] in the scene"),

@@ -14,6 +14,7 @@ static void check_needs(const TomlTable& file, Needs needs) {
   if (needs.time) file.table("time");
   if (needs.time) file.table("base");
   if (needs.field) file.table("field");
+  if (needs.site) file.table("site");
 }
 
 /// Ground that goes on to the right wall needs one that holds it.
@@ -25,7 +26,7 @@ static void check_right_wall(const TomlTable& slope_table, const Scene& scene) {
 
 Scene parse_scene(std::string_view text, const std::string& name, Needs needs) {
   const TomlTable file = TomlTable::parse(text, name);
-  file.check_keys({"title", "slope", "grid", "soil", "base", "walls", "gravity", "initial", "time", "field", "output", "study"});
+  file.check_keys({"title", "slope", "grid", "soil", "base", "walls", "gravity", "initial", "time", "field", "output", "study", "site"});
   check_needs(file, needs);
   Scene scene;
   scene.name = name;
@@ -43,6 +44,7 @@ Scene parse_scene(std::string_view text, const std::string& name, Needs needs) {
   if (file.has("field")) scene.fields = read_fields(file.table("field"), scene.slope, scene.layers);
   if (file.has("output")) scene.output = read_output(file.table("output"));
   if (file.has("study")) scene.study = read_study(file.table("study"));
+  if (file.has("site")) scene.site = read_site(file.table("site"));
   return scene;
 }
 

@@ -37,4 +37,7 @@ std::vector<FieldSpec> read_fields(const TomlTable& table, const Slope& slope, c
 Output read_output(const TomlTable& table);
 Study read_study(const TomlTable& table);
 
+/// [site]; without a bearing it is that from crest to toe.
+Site read_site(const TomlTable& table);
+
 }  // namespace slidezone

@@ -56,6 +56,15 @@ struct Study {
   std::uint64_t realizations = 1000;
 };
 
+/// Where the section stands on the map, in the metres of a projected reference system: x east, y north.
+struct Site {
+  Vec2 crest;
+  Vec2 toe;
+  double bearing = 0;  // the way the slope faces, rad clockwise from north
+  int epsg = 0;        // code of the reference system
+  double width = 20;   // of the zones that are drawn, along the slope, m
+};
+
 struct Scene {
   std::string name;      // the file's name, for messages
   std::string checksum;  // of the file's bytes
@@ -70,6 +79,7 @@ struct Scene {
   std::vector<FieldSpec> fields;
   Output output;
   Study study;
+  std::optional<Site> site;
 };
 
 /// What a tool needs of the scene; tables that are present are checked in any case, needed ones must be present.
@@ -78,6 +88,7 @@ struct Needs {
   bool soil = false;   // [[soil]]
   bool time = false;   // [time]
   bool field = false;  // at least one [field.<parameter>]
+  bool site = false;   // [site]
 };
 
 /// Parses a scene; `name` is the file's name in messages.

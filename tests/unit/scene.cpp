@@ -335,5 +335,23 @@ TEST(Field, MeshCoversTheSlope) {
   EXPECT_EQ(cells("[\"10 m\", \"0.3 m\"]"), (std::vector<int>{1, 7}));
 }
 
+// ---- the site ----
+
+/// The bearing, in degrees, of a slope from crest to toe.
+double bearing_to(const std::string& toe) {
+  const std::string text =
+      "[slope]\nheight = \"5 m\"\nlength = \"25 m\"\nangle = \"45 deg\"\n[site]\nepsg = 25832\ncrest = [\"100 m\", \"200 m\"]\ntoe = " +
+      toe;
+  return parse_scene(text, "s.toml", {.site = true}).site->bearing * 180 / std::numbers::pi;
+}
+
+TEST(Site, FacesFromCrestToToeClockwiseFromNorth) {
+  EXPECT_NEAR(bearing_to("[\"100 m\", \"205 m\"]"), 0, 1e-12);
+  EXPECT_NEAR(bearing_to("[\"105 m\", \"200 m\"]"), 90, 1e-12);
+  EXPECT_NEAR(bearing_to("[\"100 m\", \"195 m\"]"), 180, 1e-12);
+  EXPECT_NEAR(bearing_to("[\"95 m\", \"200 m\"]"), 270, 1e-12);
+  EXPECT_NEAR(bearing_to("[\"105 m\", \"200 m\"]\nbearing = \"30 deg\""), 30, 1e-12);
+}
+
 }  // namespace
 }  // namespace slidezone
