@@ -4,7 +4,7 @@
 usage: check_schema.py data-schemas/NAME.json FILE
 
 A description is one of three:
-- a JSON Schema (it has "$schema"): FILE is TOML, held against it by python3-jsonschema.
+- a JSON Schema (it has "$schema"): FILE is TOML or GeoJSON, held against it by python3-jsonschema.
 - "kind": "tsv": {"schema": "slidezone-row 1", "kind": "tsv", "meaning": ..., "columns": [COLUMN, ...]} where COLUMN is
   {"name", "type", "meaning"} and perhaps "unit", "choices" (of type choice) and "missing" (a word that stands for a number that does
   not exist, "nan" or "unbounded", or a list of both). Types: whole (>= 0), real (finite), text (not empty), choice. Columns stand in this
@@ -63,13 +63,13 @@ def check_description(description, name):
             stop(f"{name}: {entry} has no type of {sorted(TYPES[entry_kind])}")
 
 
-# ---- TOML ------------------------------------------------------------------------------------------------------------------
+# ---- TOML and GeoJSON ------------------------------------------------------------------------------------------------------
 
 
-def toml_faults(schema, path):
+def document_faults(schema, path):
     jsonschema.Draft202012Validator.check_schema(schema)
-    scene = tomllib.loads(path.read_text())
-    for error in jsonschema.Draft202012Validator(schema).iter_errors(scene):
+    parse = json.loads if path.suffix == ".geojson" else tomllib.loads
+    for error in jsonschema.Draft202012Validator(schema).iter_errors(parse(path.read_text())):
         yield f"{path}: {error.json_path}: {error.message}"
 
 
@@ -240,7 +240,7 @@ def hdf5_faults(description, path):
 
 def faults_of(description, path):
     if "$schema" in description:
-        return toml_faults(description, path)
+        return document_faults(description, path)
     return {"tsv": tsv_faults, "hdf5": hdf5_faults}[description["kind"]](description, path)
 
 

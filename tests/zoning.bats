@@ -30,7 +30,7 @@ field() { awk -F '\t' -v w="$1" -v c="$2" '!/^#/ { for (i = 1; i <= NF; ++i) if 
   run -64 zoning rows.tsv --study a=rows.tsv
   run -64 zoning --study a=- --study b=- <rows.tsv
   run -64 zoning --structures - <rows.tsv
-  assert_output --partial "cannot both come from stdin"
+  assert_output --partial "can come from stdin"
 }
 
 @test "wrong thresholds, names, bands and studies are a wrong command line" {
@@ -277,4 +277,56 @@ exponential() {
   cmp <(grep -P '^worst_case\trunout_m' curve | cut -f 3-5) <(grep -P '^long\trunout_m' curve | cut -f 3-5)
   # Beyond all runs the upper end is that of the fewer runs.
   assert_equal "$(grep -P '^worst_case' curve | tail -1 | cut -f 6)" "$(grep -P '^short' curve | tail -1 | cut -f 6)"
+}
+
+# ---- map ----
+
+# site_scene: the least scene that has a site facing east, with a face of 5 m.
+site_scene() {
+  printf '[slope]\nheight = "5 m"\nlength = "25 m"\nangle = "45 deg"\n[site]\ncrest = ["1000 m", "500 m"]\ntoe = ["1005 m", "500 m"]\nepsg = 25832\nwidth = "10 m"\n'
+}
+
+# in_map EXPRESSION: its value in Python, m being the map.
+in_map() { python3 -c 'import json, sys; m = json.load(open("zones.geojson")); print(eval(sys.argv[1]))' "$1"; }
+
+@test "the map carries zones and structures to their places" {
+  ladder 1000 >rows.tsv
+  site_scene >scene.toml
+  { structures; printf 'the "A" house\ttoe\t12.5\nmast\tcrest\t3\n'; } >s.tsv
+  zoning rows.tsv --map scene.toml --structures s.tsv -o zones.geojson
+  assert_schema map zones.geojson
+  assert_equal "$(in_map 'm["crs"]["properties"]["name"]')" urn:ogc:def:crs:EPSG::25832
+  assert_equal "$(in_map 'len(m["features"])')" 10  # four classes on either side, two structures
+  # The 50 % boundary of runout is 15.005 m from the toe, which stands at 1005 m: the strip goes from 1005 to 1020.005 m, 10 m wide.
+  assert_equal "$(in_map '[f for f in m["features"] if f["properties"].get("quantity") == "runout_m"][0]["geometry"]["coordinates"][0]')" \
+    "[[1005.0, 495.0], [1020.005, 495.0], [1020.005, 505.0], [1005.0, 505.0], [1005.0, 495.0]]"
+  assert_equal "$(in_map '[f["properties"]["ci_high_m"] for f in m["features"] if f["properties"].get("class") == "low"][0]')" None
+  assert_equal "$(in_map 'm["features"][8]["properties"]["name"]')" 'the "A" house'
+  assert_equal "$(in_map 'm["features"][8]["geometry"]["coordinates"]')" "[1017.5, 500.0]"
+  assert_equal "$(in_map 'm["features"][9]["geometry"]["coordinates"]')" "[997.0, 500.0]"
+  assert_equal "$(in_map 'm["features"][9]["properties"]["class"]')" very_high
+}
+
+@test "classes of no width are left out of the map; few runs and doubtful ones still obey the schema" {
+  site_scene >scene.toml
+  { row_header; row 1 slid 0 10; row 2 slid 0 12; row 3 left_domain 1 30; row 4 diverged nan nan; } >few.tsv
+  zoning -q few.tsv --map scene.toml -o zones.geojson 2>/dev/null
+  assert_schema map zones.geojson
+  exponential 1000 >rows.tsv
+  zoning rows.tsv --map scene.toml --tail -o zones.geojson
+  assert_schema map zones.geojson
+  assert_regex "$(in_map 'm["tail of runout_m"]')" '^threshold 12'
+}
+
+@test "a map wants a scene with a site, and stands alone" {
+  ladder 3 >rows.tsv
+  site_scene | sed '/^\[site\]/,$d' >scene.toml
+  run -65 zoning rows.tsv --map scene.toml
+  assert_output --partial "no table [site] in the scene"
+  site_scene >scene.toml
+  run -64 zoning rows.tsv --map scene.toml --curve
+  run -64 zoning rows.tsv --map scene.toml --classes
+  run -64 zoning --study a=rows.tsv --map scene.toml
+  run -64 zoning - --map - <scene.toml
+  run -66 zoning rows.tsv --map absent.toml
 }

@@ -1,7 +1,7 @@
 // zoning: how likely a place before the toe or behind the crest is to be reached, and where the hazard zones end.
 // Rows ("slidezone-row 1") -> class boundaries ("slidezone-classes 1"), the exceedance curve ("slidezone-curve 1"), or the classes of
 // structures ("slidezone-structures 1") that are given as a table ("slidezone-structures-input 1"). Of several studies: "slidezone-
-// classes-of-studies 1", "-curve-of-studies 1", "-structures-of-studies 1".
+// classes-of-studies 1", "-curve-of-studies 1", "-structures-of-studies 1". With a scene's [site]: a map ("slidezone-map 1").
 //   zoning rows/*.tsv --structures structures.tsv
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -16,6 +16,8 @@
 #include "io/file.hpp"
 #include "io/table.hpp"
 #include "rows/row.hpp"
+#include "scene/scene.hpp"
+#include "summary/zone_map.hpp"
 #include "summary/zone_tables.hpp"
 
 namespace slidezone {
@@ -27,6 +29,7 @@ struct Options {
   bool wants_classes = false;        // also without any of the three
   bool wants_curve = false;
   std::string structures;
+  std::string site;  // scene
   std::vector<double> thresholds = Classes{}.thresholds;
   std::vector<std::string> names = Classes{}.names;
   std::string band = "exact";
@@ -61,6 +64,7 @@ Results, one of:
   --structures FILE
               name side distance_m probability ci_low ci_high class class_low class_high: P at each structure, its class, and the
               classes at either end of the band. FILE is a table `name side distance_m`, side is toe or crest.
+  --map SCENE the zones as GeoJSON, placed by [site] of the scene, for QGIS; with --structures FILE also the structures
 Several studies (--study NAME=ROWS, once for each) give the same with a column `study` before, and then the worst case over them: the
 largest value and the largest ends that any study has.)";
 
@@ -78,7 +82,7 @@ Band band_of(const std::string& name) {
 }
 
 /// A boundary beyond which less than one run is expected is the largest value seen, not an estimate.
-void note_thin_tail(const Study& study, const ZoneOptions& options) {
+void note_thin_tail(const NamedEnsemble& study, const ZoneOptions& options) {
   const std::size_t runs = study.ensemble.failure.size();
   for (const double p : options.classes.thresholds) {
     if (static_cast<double>(runs) * p < 1)
@@ -87,7 +91,7 @@ void note_thin_tail(const Study& study, const ZoneOptions& options) {
   }
 }
 
-void tell_tails(Provenance& origin, const Study& study, const ZoneOptions& options) {
+void tell_tails(Provenance& origin, const NamedEnsemble& study, const ZoneOptions& options) {
   for (const Reach* reach : {&study.ensemble.influence, &study.ensemble.runout}) {
     const std::string of = (study.name.empty() ? "" : study.name + " ") + reach->quantity;
     const std::optional<TailFit> fit = tail_of(*reach, options);
@@ -100,22 +104,22 @@ void tell_tails(Provenance& origin, const Study& study, const ZoneOptions& optio
   }
 }
 
-Study read_study(const std::string& name, const std::vector<std::string>& paths, Provenance& origin) {
+NamedEnsemble read_study(const std::string& name, const std::vector<std::string>& paths, Provenance& origin) {
   const std::vector<Row> rows = read_rows(paths);
   const std::string prefix = name.empty() ? "" : name + " ";
   for (const std::string& caution : cautions(rows)) warn(prefix + caution);
-  Study study{name, ensemble_of(rows)};
+  NamedEnsemble study{name, ensemble_of(rows)};
   origin.details.emplace_back(prefix + "rows", checksum(rows));
   origin.details.emplace_back(prefix + "realizations", std::to_string(study.ensemble.failure.size()));
   return study;
 }
 
-std::vector<Study> read_studies(const Options& options, Provenance& origin) {
+std::vector<NamedEnsemble> read_studies(const Options& options, Provenance& origin) {
   if (options.studies.empty()) return {read_study("", options.rows, origin)};
-  std::vector<Study> studies;
+  std::vector<NamedEnsemble> studies;
   for (const std::string& text : options.studies) {
     const std::string name = text.substr(0, text.find('='));
-    if (std::any_of(studies.begin(), studies.end(), [&](const Study& study) { return study.name == name; }))
+    if (std::any_of(studies.begin(), studies.end(), [&](const NamedEnsemble& study) { return study.name == name; }))
       throw Error(ExitCode::usage, "--study: '" + name + "' stands twice");
     studies.push_back(read_study(name, {text.substr(name.size() + 1)}, origin));
   }
@@ -125,27 +129,51 @@ std::vector<Study> read_studies(const Options& options, Provenance& origin) {
 bool is_stdin_used_twice(const Options& options) {
   const auto is_stdin = [](const std::string& path) { return path == "-" || path.ends_with("=-"); };
   const std::vector<std::string>& paths = options.studies.empty() ? options.rows : options.studies;
-  return std::count_if(paths.begin(), paths.end(), is_stdin) + (options.structures == "-") > 1;
+  return std::count_if(paths.begin(), paths.end(), is_stdin) + (options.structures == "-") + (options.site == "-") > 1;
 }
 
-Table table_of(const std::string& kind, std::span<const Study> studies, const ZoneOptions& zones, const Options& options) {
+std::string kind_of(const Options& options) {
+  if (!options.site.empty()) return "map";
+  if (options.wants_curve) return "curve";
+  return options.structures.empty() ? "classes" : "structures";
+}
+
+std::vector<Structure> structures_of(const Options& options) {
+  if (options.structures.empty()) return {};
+  return parse_structures(read_input(options.structures), input_name(options.structures));
+}
+
+std::string map_of(const NamedEnsemble& study, const ZoneOptions& zones, const Options& options, Provenance& origin) {
+  const Scene scene = read_scene(options.site, {.site = true});
+  const Site& site = *scene.site;
+  origin.details.emplace_back("scene", scene.checksum);
+  return zone_map(study.ensemble, structures_of(options), zones, {site.crest, site.toe, site.bearing, site.width}, site.epsg, origin);
+}
+
+Table table_of(const std::string& kind, std::span<const NamedEnsemble> studies, const ZoneOptions& zones, const Options& options) {
   if (kind == "curve") return curve_table(studies, zones);
   if (kind == "classes") return class_table(studies, zones);
-  return structure_table(studies, parse_structures(read_input(options.structures), input_name(options.structures)), zones);
+  return structure_table(studies, structures_of(options), zones);
 }
 
 void run(const Options& options) {
   if (is_stdin_used_twice(options))
-    throw Error(ExitCode::usage, "rows and structures cannot both come from stdin; give one of them as a file");
-  const std::string kind = options.wants_curve ? "curve" : options.structures.empty() ? "classes" : "structures";
+    throw Error(ExitCode::usage, "only one of rows, structures and scene can come from stdin; give the others as files");
+  const std::string kind = kind_of(options);
+  const bool has_boundaries = kind == "classes" || kind == "map";
+  if (options.has_tails && !has_boundaries) throw Error(ExitCode::usage, "--tail is of boundaries: it wants --classes or --map");
   const ZoneOptions zones{classes_of(options), band_of(options.band), options.has_tails};
   Provenance origin = provenance("slidezone-" + kind + (options.studies.empty() ? "" : "-of-studies") + " 1", "zoning");
-  const std::vector<Study> studies = read_studies(options, origin);
-  for (const Study& study : studies) {
-    if (kind == "classes" && !zones.has_tails) note_thin_tail(study, zones);
-    if (kind == "classes" && zones.has_tails) tell_tails(origin, study, zones);
+  const std::vector<NamedEnsemble> studies = read_studies(options, origin);
+  for (const NamedEnsemble& study : studies) {
+    if (has_boundaries && !zones.has_tails) note_thin_tail(study, zones);
+    if (has_boundaries && zones.has_tails) tell_tails(origin, study, zones);
   }
-  write_output(options.output, to_tsv(table_of(kind, studies, zones, options), origin));
+  if (kind == "map") {
+    write_output(options.output, map_of(studies.front(), zones, options, origin));
+  } else {
+    write_output(options.output, to_tsv(table_of(kind, studies, zones, options), origin));
+  }
 }
 
 /// NAME=FILE, the name a word of its own.
@@ -180,16 +208,21 @@ CLI::Validator band_name() {
 
 void add_options(CLI::App& app, Options& options) {
   auto* rows = app.add_option("ROWS", options.rows, "Tables of rows, one or several; - is stdin")->capture_default_str();
-  app.add_option("--study", options.studies, "A study's name and its rows; once for each of several studies")
-      ->allow_extra_args(false)
-      ->check(named_file())
-      ->type_name("NAME=ROWS")
-      ->excludes(rows);
+  auto* studies = app.add_option("--study", options.studies, "A study's name and its rows; once for each of several studies")
+                      ->allow_extra_args(false)
+                      ->check(named_file())
+                      ->type_name("NAME=ROWS")
+                      ->excludes(rows);
   auto* classes = app.add_flag("--classes", options.wants_classes, "Boundaries of the classes (the default)");
   auto* curve = app.add_flag("--curve", options.wants_curve, "The exceedance curve");
   auto* structures = app.add_option("--structures", options.structures, "Classes of the structures in FILE")->type_name("FILE");
   classes->excludes(curve)->excludes(structures);
   curve->excludes(structures);
+  app.add_option("--map", options.site, "Zones on the map, by [site] of the scene")
+      ->type_name("SCENE")
+      ->excludes(classes)
+      ->excludes(curve)
+      ->excludes(studies);
   app.add_option("--thresholds", options.thresholds, "Falling probabilities at which classes end, with commas between")
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -206,7 +239,7 @@ void add_options(CLI::App& app, Options& options) {
       ->check(band_name())
       ->type_name("BAND")
       ->capture_default_str();
-  app.add_flag("--tail", options.has_tails, "Far boundaries by a generalized Pareto tail")->excludes(curve)->excludes(structures);
+  app.add_flag("--tail", options.has_tails, "Far boundaries by a generalized Pareto tail");
   app.add_option("-o,--output", options.output, "Where the table goes; - is stdout")->type_name("FILE")->capture_default_str();
 }
 

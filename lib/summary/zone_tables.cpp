@@ -73,14 +73,14 @@ static Lines worst_of(const std::vector<Lines>& studies) {
 }
 
 /// The lines of every study below each other; with several, their names before and the worst case after them.
-static std::vector<std::pair<std::string, Lines>> with_worst_case(std::span<const Study> studies, const std::vector<Lines>& lines) {
+static std::vector<std::pair<std::string, Lines>> with_worst_case(std::span<const NamedEnsemble> studies, const std::vector<Lines>& lines) {
   std::vector<std::pair<std::string, Lines>> result;
   for (std::size_t i = 0; i < studies.size(); ++i) result.emplace_back(studies[i].name, lines[i]);
   if (!studies.front().name.empty()) result.emplace_back("worst_case", worst_of(lines));
   return result;
 }
 
-static Table table_with(std::span<const Study> studies, std::vector<std::string> columns) {
+static Table table_with(std::span<const NamedEnsemble> studies, std::vector<std::string> columns) {
   if (!studies.front().name.empty()) columns.insert(columns.begin(), "study");
   return Table(std::move(columns));
 }
@@ -101,7 +101,7 @@ std::optional<TailFit> tail_of(const Reach& reach, const ZoneOptions& options) {
   return tail_fit(known_values(reach.sample));
 }
 
-static Lines class_lines(const Study& study, const ZoneOptions& options) {
+static Lines class_lines(const NamedEnsemble& study, const ZoneOptions& options) {
   Lines lines;
   for (const Reach* reach : {&study.ensemble.influence, &study.ensemble.runout}) {
     const std::optional<TailFit> tail = tail_of(*reach, options);
@@ -112,10 +112,10 @@ static Lines class_lines(const Study& study, const ZoneOptions& options) {
   return lines;
 }
 
-Table class_table(std::span<const Study> studies, const ZoneOptions& options) {
+Table class_table(std::span<const NamedEnsemble> studies, const ZoneOptions& options) {
   Table table = table_with(studies, {"quantity", "class", "probability", "distance_m", "ci_low_m", "ci_high_m"});
   std::vector<Lines> lines;
-  for (const Study& study : studies) lines.push_back(class_lines(study, options));
+  for (const NamedEnsemble& study : studies) lines.push_back(class_lines(study, options));
   for (const auto& [name, of_study] : with_worst_case(studies, lines)) {
     for (const Line& line : of_study) add_line(table, name, line, {});
   }
@@ -125,13 +125,14 @@ Table class_table(std::span<const Study> studies, const ZoneOptions& options) {
 // ---- curves ----
 
 /// Distances that cover the reach of every study.
-static std::vector<double> shared_distances(std::span<const Study> studies, Reach Ensemble::*reach) {
+static std::vector<double> shared_distances(std::span<const NamedEnsemble> studies, Reach Ensemble::*reach) {
   double farthest = 0;
-  for (const Study& study : studies) farthest = larger(farthest, moments_of(known_values((study.ensemble.*reach).sample)).maximum());
+  for (const NamedEnsemble& study : studies)
+    farthest = larger(farthest, moments_of(known_values((study.ensemble.*reach).sample)).maximum());
   return curve_distances(farthest);
 }
 
-static Lines curve_lines(const Study& study, const ZoneOptions& options, std::span<const Study> studies) {
+static Lines curve_lines(const NamedEnsemble& study, const ZoneOptions& options, std::span<const NamedEnsemble> studies) {
   Lines lines;
   const double failure = failure_probability(study.ensemble).value;
   for (const auto member : {&Ensemble::influence, &Ensemble::runout}) {
@@ -144,10 +145,10 @@ static Lines curve_lines(const Study& study, const ZoneOptions& options, std::sp
   return lines;
 }
 
-Table curve_table(std::span<const Study> studies, const ZoneOptions& options) {
+Table curve_table(std::span<const NamedEnsemble> studies, const ZoneOptions& options) {
   Table table = table_with(studies, {"quantity", "distance_m", "probability", "ci_low", "ci_high", "normal", "lognormal"});
   std::vector<Lines> lines;
-  for (const Study& study : studies) lines.push_back(curve_lines(study, options, studies));
+  for (const NamedEnsemble& study : studies) lines.push_back(curve_lines(study, options, studies));
   for (const auto& [name, of_study] : with_worst_case(studies, lines)) {
     for (const Line& line : of_study) add_line(table, name, line, line.more);
   }
@@ -156,7 +157,7 @@ Table curve_table(std::span<const Study> studies, const ZoneOptions& options) {
 
 // ---- classed structures ----
 
-static Lines structure_lines(const Study& study, std::span<const Structure> structures, const ZoneOptions& options) {
+static Lines structure_lines(const NamedEnsemble& study, std::span<const Structure> structures, const ZoneOptions& options) {
   Lines lines;
   for (const Structure& structure : structures) {
     const Reach& reach = structure.is_at_toe ? study.ensemble.runout : study.ensemble.influence;
@@ -167,10 +168,10 @@ static Lines structure_lines(const Study& study, std::span<const Structure> stru
   return lines;
 }
 
-Table structure_table(std::span<const Study> studies, std::span<const Structure> structures, const ZoneOptions& options) {
+Table structure_table(std::span<const NamedEnsemble> studies, std::span<const Structure> structures, const ZoneOptions& options) {
   Table table = table_with(studies, {"name", "side", "distance_m", "probability", "ci_low", "ci_high", "class", "class_low", "class_high"});
   std::vector<Lines> lines;
-  for (const Study& study : studies) lines.push_back(structure_lines(study, structures, options));
+  for (const NamedEnsemble& study : studies) lines.push_back(structure_lines(study, structures, options));
   for (const auto& [name, of_study] : with_worst_case(studies, lines)) {
     for (const Line& line : of_study) {
       const Estimate& hazard = line.estimate;

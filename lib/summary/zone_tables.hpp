@@ -14,7 +14,7 @@
 
 namespace slidezone {
 
-struct Study {
+struct NamedEnsemble {
   std::string name;  // empty: the only one, and no column for it
   Ensemble ensemble;
 };
@@ -38,12 +38,12 @@ std::vector<Structure> parse_structures(std::string_view bytes, const std::strin
 std::optional<TailFit> tail_of(const Reach& reach, const ZoneOptions& options);
 
 /// [study] quantity class probability distance_m ci_low_m ci_high_m
-Table class_table(std::span<const Study> studies, const ZoneOptions& options);
+Table class_table(std::span<const NamedEnsemble> studies, const ZoneOptions& options);
 
 /// [study] quantity distance_m probability ci_low ci_high normal lognormal
-Table curve_table(std::span<const Study> studies, const ZoneOptions& options);
+Table curve_table(std::span<const NamedEnsemble> studies, const ZoneOptions& options);
 
 /// [study] name side distance_m probability ci_low ci_high class class_low class_high
-Table structure_table(std::span<const Study> studies, std::span<const Structure> structures, const ZoneOptions& options);
+Table structure_table(std::span<const NamedEnsemble> studies, std::span<const Structure> structures, const ZoneOptions& options);
 
 }  // namespace slidezone

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
+
+#include "zoning/map_frame.hpp"
 
 namespace slidezone {
 namespace {
@@ -87,6 +91,35 @@ TEST(CurveDistances, AreRoundAndCoverTheData) {
   }
   EXPECT_EQ(curve_distances(27)[3], 0.3);
   EXPECT_EQ(curve_distances(0).back(), 1.25);  // nothing moved: one metre to look at
+}
+
+// ---- map ----
+
+double area(const std::array<Vec2, 5>& ring) {
+  double twice = 0;
+  for (std::size_t i = 0; i < 4; ++i) twice += ring[i].x * ring[i + 1].y - ring[i + 1].x * ring[i].y;
+  return twice / 2;
+}
+
+TEST(MapFrame, RunsAwayFromTheSlopeOnBothSides) {
+  const MapFrame east{{100, 200}, {105, 200}, std::numbers::pi / 2, 30};
+  EXPECT_NEAR(place_at(east, Side::toe, 10).x, 115, 1e-12);
+  EXPECT_NEAR(place_at(east, Side::toe, 10).y, 200, 1e-12);
+  EXPECT_NEAR(place_at(east, Side::crest, 10).x, 90, 1e-12);
+  const MapFrame north{{100, 200}, {100, 205}, 0, 30};
+  EXPECT_EQ(place_at(north, Side::toe, 10).y, 215);
+}
+
+TEST(MapFrame, StripsAreClosedAndCounterClockwise) {
+  for (const double bearing : {0.0, 0.3, 2.5, 4.0}) {
+    const MapFrame frame{{100, 200}, {103, 204}, bearing, 30};
+    for (const Side side : {Side::toe, Side::crest}) {
+      const std::array<Vec2, 5> strip = strip_between(frame, side, 2, 5);
+      EXPECT_NEAR(area(strip), 3 * 30, 1e-9);  // positive: counter-clockwise
+      EXPECT_EQ(strip.front().x, strip.back().x);
+      EXPECT_EQ(strip.front().y, strip.back().y);
+    }
+  }
 }
 
 }  // namespace
