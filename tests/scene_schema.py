@@ -105,7 +105,7 @@ BAD = [
     # [base] and [walls]
     ("cut", re.compile(r'\[base\].*?(?=\[)', re.S), "@[[base]]\n", "'base' wants a table, found a list; write [base]"),
     ("cut", 'contact = "stick"', '@contract = "stick"', "unknown key 'contract' in [base]; did you mean 'contact'?"),
-    ("cut", '"stick"', '@"stuck"', "'contact' wants bilateral, unilateral or stick, found \"stuck\"; did you mean 'stick'?"),
+    ("cut", '"stick"', '@"stuck"', "'contact' wants bilateral, unilateral, stick or two-body, found \"stuck\"; did you mean 'stick'?"),
     ("cut", '"stick"', '"stick"\nfriction = @0.3', "'friction' has no place where the contact is \"stick\", which never slides"),
     ("layers", "friction = 0.3\n", "", "no key 'friction' in [base]"),
     ("layers", "friction = 0.3\n", "friction = @-0.3\n", "'friction' wants a number at least 0, found -0.3"),
@@ -133,6 +133,24 @@ BAD = [
     ("layers", '["0.5 m/s", "-0.1 m/s"]', '@["0.5 m/s"]', "'velocity' wants"),
     ("layers", '["0.5 m/s", "-0.1 m/s"]', '@["0.5 m/s", "0 m/s", "0 m/s"]', "'velocity' wants"),
     ("layers", '"-0.1 m/s"', '@5', "'velocity' wants"),
+    # [method]
+    ("layers", re.compile(r'\[method\].*?(?=\[nonlocal)', re.S), "@[[method]]\n", "'method' wants a table, found a list"),
+    ("layers", 'update_order = ', '@order = ', "unknown key 'order' in [method]; expected update_order"),
+    ("layers", '"USL"', '@"MSL"', "'update_order' wants MUSL, USL or USF, found \"MSL\"; did you mean 'MUSL'?"),
+    ("layers", '"linear"', '@"cubic"', "'shape_functions' wants GIMP or linear, found \"cubic\""),
+    ("layers", '"B-bar"', '@"F-bar"', "'anti_locking' wants none or B-bar, found \"F-bar\"; did you mean 'B-bar'?"),
+    ("layers", 'update_order = "USL"\nshape_functions = "linear"\nanti_locking = "B-bar"',
+     'update_order = "USF"\nshape_functions = "linear"\nanti_locking = @"B-bar"', "'anti_locking' \"B-bar\" averages over cells at the end of a step"),
+    ("layers", '"0.1 1/s"', '@"-0.1 1/s"', "'damping_rate' wants at least 0 s-1"),
+    ("layers", '"0.1 1/s"', '@0.1', "'damping_rate' wants a text with its unit"),
+    # [nonlocal_softening]
+    ("layers", re.compile(r'\[nonlocal_softening\].*?(?=\[field)', re.S), "@[[nonlocal_softening]]\n", "'nonlocal_softening' wants a table, found a list"),
+    ("layers", 'length = "1.5 m"', '@lenght = "1.5 m"', "unknown key 'lenght' in [nonlocal_softening]; did you mean 'length'?"),
+    ("layers", 'length = "1.5 m"\n', "", "no key 'length' in [nonlocal_softening]"),
+    ("layers", '"1.5 m"', '@"0 m"', "'length' wants above 0 m"),
+    ("layers", "factor = 1.5", "factor = @0.5", "'factor' wants a number at least 1 and at most 10, found 0.5"),
+    ("layers", "factor = 1.5", "factor = @11", "'factor' wants a number at least 1 and at most 10, found 11"),
+    ("layers", "factor = 1.5", 'factor = @"2"', "'factor' wants a number without unit"),
     # [time]
     ("cut", re.compile(r'\[time\].*', re.S), "@[[time]]\n", "'time' wants a table, found a list; write [time]"),
     ("cut", 'end = "5 s"', 'end = "5 s"\n@begin = "0 s"', "unknown key 'begin' in [time]; expected end, step, step_fraction or rest"),

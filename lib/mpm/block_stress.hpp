@@ -55,6 +55,7 @@ template <SoilTraits traits>
   double* xy = data.xy + block.first;
   double* volume = data.volume + block.first;
   double* plastic_strain = data.plastic_strain + block.first;
+  const double* softening_strain = data.softening_strain + block.first;
   const double* peak_cohesion = data.peak_cohesion + block.first;
   const int* soil_of = data.soil + block.first;
   const SoilConstants* soils = data.soils;
@@ -68,7 +69,7 @@ template <SoilTraits traits>
                            0.5 * (gradients.xy[p] - gradients.yx[p]) * step};
     const Stress old{xx[p], yy[p], zz[p], xy[p]};
     Stress now = trial_stress(old, strain, soil.bulk, soil.shear);
-    const YieldSurface yield = yield_surface<traits>(soil, peak_cohesion[p], plastic_strain[p]);
+    const YieldSurface yield = yield_surface<traits>(soil, peak_cohesion[p], softening_strain[p]);
     plastic_strain[p] += return_to_yield<traits>(now, soil, yield);
     work[p] = volume[p] * 0.5 * ((old.xx + now.xx) * strain.xx + (old.yy + now.yy) * strain.yy + 2 * (old.xy + now.xy) * strain.xy);
     volume[p] *= 1 + strain.xx + strain.yy;

@@ -83,14 +83,26 @@ struct Accumulator {
 using PairAccumulator = Accumulator<Row, 2>;
 using MassAccumulator = Accumulator<MassRow, 1>;
 
-/// Mass, momentum m v and internal force -V stress . grad N to the nodes.
-[[gnu::always_inline]] inline void map_to_nodes(const SweepData& data, Block block, const BlockWeights& weights) {
+/// In-plane stresses of a block's points, as the nodes feel them.
+struct BlockStress {
+  const double *xx, *yy, *xy;
+};
+
+[[gnu::always_inline]] inline BlockStress stress_of(const SweepData& data, Block block) {
+  return {data.xx + block.first, data.yy + block.first, data.xy + block.first};
+}
+
+/// What a point gives to the nodes.
+enum class Give { momentum, force, both };
+
+/// Mass and momentum m v, and internal force -V stress . grad N, to the nodes.
+template <Give give>
+[[gnu::always_inline]] inline void map_to_nodes(const SweepData& data, Block block, const BlockWeights& weights, BlockStress stress) {
+  constexpr bool gives_momentum = give != Give::force;
+  constexpr bool gives_force = give != Give::momentum;
   const double inverse_x = 1 / data.grid.cell_x;
   const double inverse_y = 1 / data.grid.cell_y;
   const double* velocity = data.velocity + 2 * block.first;
-  const double* xx = data.xx + block.first;
-  const double* yy = data.yy + block.first;
-  const double* xy = data.xy + block.first;
   const double* volume = data.volume + block.first;
   const double* mass = data.mass + block.first;
   double* node_momentum = data.node_momentum;
@@ -100,30 +112,39 @@ using MassAccumulator = Accumulator<MassRow, 1>;
   PairAccumulator momentum_sums, force_sums;
   MassAccumulator mass_sums;
   int base = weights.base[0];
+  const auto flush = [&]() __attribute__((always_inline)) {
+    if constexpr (gives_momentum) momentum_sums.flush(node_momentum, base, rows);
+    if constexpr (gives_momentum) mass_sums.flush(node_mass, base, rows);
+    if constexpr (gives_force) force_sums.flush(node_force, base, rows);
+  };
   for (int p = 0; p < block.count; ++p) {
     if (weights.base[p] != base) {
-      momentum_sums.flush(node_momentum, base, rows);
-      force_sums.flush(node_force, base, rows);
-      mass_sums.flush(node_mass, base, rows);
+      flush();
       base = weights.base[p];
     }
     const AxisWeights in_x{weights.s_x[p], weights.q_x[p], weights.r_x[p]};
     const AxisValues values_x = shape_values(in_x);
     const Row values_y = row_values(weights.s_y[p], weights.q_y[p]);
-    const double force_x = -volume[p] * inverse_x;
-    const double force_y = -volume[p] * inverse_y;
-    momentum_sums.add(values_x, values_y * pairs(mass[p] * velocity[2 * p], mass[p] * velocity[2 * p + 1]));
-    force_sums.add(shape_slopes(in_x), values_y * pairs(force_x * xx[p], force_x * xy[p]));
-    force_sums.add(values_x, row_slopes(weights.r_y[p]) * pairs(force_y * xy[p], force_y * yy[p]));
-    mass_sums.add(values_x, mass[p] * mass_values(weights.s_y[p], weights.q_y[p]));
+    if constexpr (gives_momentum) {
+      momentum_sums.add(values_x, values_y * pairs(mass[p] * velocity[2 * p], mass[p] * velocity[2 * p + 1]));
+      mass_sums.add(values_x, mass[p] * mass_values(weights.s_y[p], weights.q_y[p]));
+    }
+    if constexpr (gives_force) {
+      const double force_x = -volume[p] * inverse_x;
+      const double force_y = -volume[p] * inverse_y;
+      force_sums.add(shape_slopes(in_x), values_y * pairs(force_x * stress.xx[p], force_x * stress.xy[p]));
+      force_sums.add(values_x, row_slopes(weights.r_y[p]) * pairs(force_y * stress.xy[p], force_y * stress.yy[p]));
+    }
   }
-  momentum_sums.flush(node_momentum, base, rows);
-  force_sums.flush(node_force, base, rows);
-  mass_sums.flush(node_mass, base, rows);
+  flush();
 }
 
-/// v += sum N dv, movement = dt sum N v, new momentum sum N m v.
-[[gnu::always_inline]] inline void gather_and_map_block(const SweepData& data, Block block, const BlockWeights& weights) {
+enum class SecondMap { yes, no };
+
+/// v += sum N dv, drawn by grid_part towards sum N v; movement = dt sum N v; with the second map also sum N m v to the
+/// nodes. Returns the energy that the drawing took.
+template <SecondMap second_map>
+[[gnu::always_inline]] inline double gather_block(const SweepData& data, Block block, const BlockWeights& weights) {
   double* velocity = data.velocity + 2 * block.first;
   double* movement = data.movement + 2 * block.first;
   const double* mass = data.mass + block.first;
@@ -132,26 +153,35 @@ using MassAccumulator = Accumulator<MassRow, 1>;
   double* node_new_momentum = data.node_new_momentum;
   const auto rows = static_cast<std::size_t>(data.storage.rows);
   const double step = data.step;
+  const double grid_part = data.grid_part;
+  double damped = 0;
   PairAccumulator momentum_sums;
   int base = weights.base[0];
   for (int p = 0; p < block.count; ++p) {
     if (weights.base[p] != base) {
-      momentum_sums.flush(node_new_momentum, base, rows);
+      if constexpr (second_map == SecondMap::yes) momentum_sums.flush(node_new_momentum, base, rows);
       base = weights.base[p];
     }
     const AxisValues values_x = shape_values({weights.s_x[p], weights.q_x[p], weights.r_x[p]});
     const Row values_y = row_values(weights.s_y[p], weights.q_y[p]);
     const Pair change = sum_over_nodes(combined(stencil(node_change, base, rows), values_x) * values_y);
     const Pair moving = sum_over_nodes(combined(stencil(node_velocity, base, rows), values_x) * values_y);
-    const double velocity_x = velocity[2 * p] + change.x;
-    const double velocity_y = velocity[2 * p + 1] + change.y;
+    double velocity_x = velocity[2 * p] + change.x;
+    double velocity_y = velocity[2 * p + 1] + change.y;
+    if (grid_part > 0) {
+      const double before = velocity_x * velocity_x + velocity_y * velocity_y;
+      velocity_x += grid_part * (moving.x - velocity_x);
+      velocity_y += grid_part * (moving.y - velocity_y);
+      damped += 0.5 * mass[p] * (before - velocity_x * velocity_x - velocity_y * velocity_y);
+    }
     velocity[2 * p] = velocity_x;
     velocity[2 * p + 1] = velocity_y;
     movement[2 * p] = step * moving.x;
     movement[2 * p + 1] = step * moving.y;
-    momentum_sums.add(values_x, values_y * pairs(mass[p] * velocity_x, mass[p] * velocity_y));
+    if constexpr (second_map == SecondMap::yes) momentum_sums.add(values_x, values_y * pairs(mass[p] * velocity_x, mass[p] * velocity_y));
   }
-  momentum_sums.flush(node_new_momentum, base, rows);
+  if constexpr (second_map == SecondMap::yes) momentum_sums.flush(node_new_momentum, base, rows);
+  return damped;
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ static void for_each_image(const Nodes& nodes, const NodeBox& box, const NodeSet
     for (int row = box.first_row; row < box.last_row; ++row)
       act(nodes.storage.index(behind, row), nodes.storage.index(before, row), mirror_of(wall));
   };
-  if (box.first_row < NodeStorage::padding)
+  if (box.first_row < NodeStorage::padding && settings.boundaries.base != BaseContact::two_body)
     for (int column = box.first_column; column < box.last_column; ++column)
       act(nodes.storage.index(column, NodeStorage::padding - 1), nodes.storage.index(column, NodeStorage::padding + 1),
           mirror_of(settings.boundaries.base));
@@ -109,6 +109,7 @@ static void hold_at_wall(NodeVelocity velocity, Wall wall) {
 }
 
 static void hold_at_base(NodeVelocity velocity, BaseContact contact) {
+  if (contact == BaseContact::two_body) return;
   if (contact == BaseContact::stick) velocity.x = 0;
   if (contact != BaseContact::unilateral || velocity.y < 0) velocity.y = 0;
 }
@@ -152,6 +153,29 @@ static double touch_base(Nodes& nodes, const NodeBox& box, const NodeSettings& s
   return work;
 }
 
+/// Two-body contact at one row of nodes: where soil approaches the base along the normal, that part of its velocity is taken
+/// away, and friction acts on the rest. Returns friction's work.
+static double touch_body(Nodes& nodes, const NodeBox& box, int row, const std::vector<Vec2>& normals, const NodeSettings& settings) {
+  if (row < box.first_row || row >= box.last_row) return 0;
+  double work = 0;
+  for (int column = box.first_column; column < box.last_column; ++column) {
+    const std::size_t node = nodes.storage.index(column, row);
+    const NodeVelocity velocity = velocity_of(nodes.velocity, node);
+    const Vec2 free = {velocity.x, velocity.y};
+    const Vec2 normal = normals[static_cast<std::size_t>(column)];
+    const double approach = free.x * normal.x + free.y * normal.y;
+    if (approach <= 0) continue;
+    const double along = free.y * normal.x - free.x * normal.y;  // tangent (-n_y, n_x)
+    const double left = rubbed(along, approach, settings.boundaries.base_friction);
+    velocity.x = -normal.y * left;
+    velocity.y = normal.x * left;
+    work += nodes.mass[node] * (along - left) * left;
+    nodes.change[2 * node] += velocity.x - free.x;
+    nodes.change[2 * node + 1] += velocity.y - free.y;
+  }
+  return work;
+}
+
 /// Walls; changes of velocity go into `change` too.
 static void touch_walls(Nodes& nodes, const NodeBox& box, const NodeSettings& settings) {
   const auto touch = [&](Wall wall) {
@@ -167,17 +191,28 @@ static void touch_walls(Nodes& nodes, const NodeBox& box, const NodeSettings& se
   for_nodes_right(nodes, box, settings.grid, touch(settings.boundaries.right));
 }
 
-NodeEnergies update_velocities(Nodes& nodes, const NodeBox& box, Vec2 gravity, const NodeSettings& settings) {
-  for_each_image(nodes, box, settings, [&](std::size_t behind, std::size_t before, Mirror mirror) {
+void fold_mass(Nodes& nodes, const NodeBox& box, const NodeSettings& settings) {
+  for_each_image(nodes, box, settings, [&](std::size_t behind, std::size_t before, Mirror) {
     nodes.mass[before] += nodes.mass[behind];
     nodes.mass[behind] = 0;
+  });
+}
+
+NodeEnergies update_velocities(Nodes& nodes, const NodeBox& box, Vec2 gravity, const NodeSettings& settings,
+                               const ContactNormals& contact) {
+  for_each_image(nodes, box, settings, [&](std::size_t behind, std::size_t before, Mirror mirror) {
     fold_pairs(nodes.velocity, behind, before, mirror);
     fold_pairs(nodes.change, behind, before, mirror);
   });
   balance_momentum(nodes, box, gravity, settings);
   touch_walls(nodes, box, settings);
   NodeEnergies energies;
-  energies.friction_work = touch_base(nodes, box, settings);
+  if (settings.boundaries.base == BaseContact::two_body) {
+    energies.friction_work = touch_body(nodes, box, NodeStorage::padding, contact.top, settings) +
+                             touch_body(nodes, box, NodeStorage::padding - 1, contact.below, settings);
+  } else {
+    energies.friction_work = touch_base(nodes, box, settings);
+  }
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
     const double* mass = nodes.mass.data() + first;
     const double* velocity = nodes.velocity.data() + 2 * first;
@@ -196,6 +231,13 @@ NodeEnergies update_velocities(Nodes& nodes, const NodeBox& box, Vec2 gravity, c
     reflect_pairs(nodes.change, behind, before, mirror);
   });
   return energies;
+}
+
+void copy_velocities(Nodes& nodes, const NodeBox& box) {
+  for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
+    const auto from = nodes.velocity.begin() + static_cast<std::ptrdiff_t>(2 * first);
+    std::copy(from, from + static_cast<std::ptrdiff_t>(2 * count), nodes.new_velocity.begin() + static_cast<std::ptrdiff_t>(2 * first));
+  });
 }
 
 void update_new_velocities(Nodes& nodes, const NodeBox& box, const NodeSettings& settings) {

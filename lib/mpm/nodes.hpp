@@ -41,22 +41,36 @@ struct NodeSettings {
   double step = 0;        // s
 };
 
+/// Normals of a two-body base at the nodes of its top row and of the row below; see contact.hpp. Empty for other bases.
+struct ContactNormals {
+  std::vector<Vec2> top;  // by column, NodeStorage counting; out of the soil, of length 1, or 0 where the soil does not reach
+  std::vector<Vec2> below;
+};
+
 /// Clears the sums of sweep A, or of sweep B, in the box.
 void clear_sums(Nodes& nodes, const NodeBox& box);
 void clear_new_sums(Nodes& nodes, const NodeBox& box);
+
+/// Walls and base are mirrors: what points map to the padding nodes behind one is folded onto the nodes in front, with the
+/// normal component turned round, and the padding nodes move as mirror images. Without this a point whose domain
+/// reaches through the base would still be carried by the first node above it, and would sink through.
+/// A two-body base is no mirror.
+void fold_mass(Nodes& nodes, const NodeBox& box, const NodeSettings& settings);
 
 /// velocity = momentum / mass + change with change = dt (force / mass + gravity), then boundaries: a velocity that a wall
 /// or the base forbids is taken away, and the base takes the friction impulse, at most mu times the normal impulse
 /// max(0, -m v_y) of the unhindered motion (Coulomb; once per step).
 /// Friction's work is the impulse times the velocity that is left: with the mean of before and after, soil at rest would
 /// seem to heat the base.
-///
-/// Walls and base are mirrors: what points map to the padding nodes behind one is folded onto the nodes in front, with the
-/// normal component turned round, and the padding nodes move as mirror images. Without this a point whose domain
-/// reaches through the base would still be carried by the first node above it, and would sink through.
-NodeEnergies update_velocities(Nodes& nodes, const NodeBox& box, Vec2 gravity, const NodeSettings& settings);
+/// A two-body base acts on the nodes that `contact` names, along its normals.
+/// After fold_mass.
+NodeEnergies update_velocities(Nodes& nodes, const NodeBox& box, Vec2 gravity, const NodeSettings& settings, const ContactNormals& contact);
 
-/// new_velocity = momentum / mass, without what walls and base forbid; friction acted in update_velocities already.
+/// new_velocity = velocity: the velocities that moved the points (USL), or the momenta of the points before forces act (USF).
+void copy_velocities(Nodes& nodes, const NodeBox& box);
+
+/// new_velocity = momentum / mass, without what walls and base forbid; friction acted in update_velocities already, and so did
+/// all of a two-body base. After fold_mass.
 void update_new_velocities(Nodes& nodes, const NodeBox& box, const NodeSettings& settings);
 
 }  // namespace slidezone

@@ -19,6 +19,7 @@ Points points_at_rest(std::size_t count) {
 
 template <class Value>
 static std::vector<Value> picked(const std::vector<Value>& values, const std::vector<int>& order) {
+  if (values.empty()) return {};
   std::vector<Value> result;
   result.reserve(values.size());
   for (const int from : order) result.push_back(values[static_cast<std::size_t>(from)]);
@@ -48,6 +49,7 @@ Points reordered(const Points& points, const std::vector<int>& order) {
           .mass = picked(points.mass, order),
           .volume = picked(points.volume, order),
           .plastic_strain = picked(points.plastic_strain, order),
+          .softening_strain = picked(points.softening_strain, order),
           .peak_cohesion = picked(points.peak_cohesion, order),
           .soil = picked(points.soil, order),
           .label = picked(points.label, order)};

@@ -6,16 +6,17 @@
 namespace slidezone {
 
 struct Points {
-  std::vector<double> x, y;            // position, m
-  std::vector<double> velocity;        // pairs (x, y) point after point, m/s
-  std::vector<double> movement;        // pairs: movement of the step in progress, not yet in x and y, m
-  std::vector<double> xx, yy, zz, xy;  // stress, Pa
-  std::vector<double> mass;            // kg/m
-  std::vector<double> volume;          // m^3/m
-  std::vector<double> plastic_strain;  // equivalent plastic strain
-  std::vector<double> peak_cohesion;   // Pa
-  std::vector<int> soil;               // index into the soils
-  std::vector<int> label;              // the point's number at the start: points are reordered as they move
+  std::vector<double> x, y;              // position, m
+  std::vector<double> velocity;          // pairs (x, y) point after point, m/s
+  std::vector<double> movement;          // pairs: movement of the step in progress, not yet in x and y, m
+  std::vector<double> xx, yy, zz, xy;    // stress, Pa
+  std::vector<double> mass;              // kg/m
+  std::vector<double> volume;            // m^3/m
+  std::vector<double> plastic_strain;    // equivalent plastic strain
+  std::vector<double> softening_strain;  // its average over neighbours; empty where softening is local
+  std::vector<double> peak_cohesion;     // Pa
+  std::vector<int> soil;                 // index into the soils
+  std::vector<int> label;                // the point's number at the start: points are reordered as they move
 
   std::size_t count() const { return x.size(); }
 };

@@ -12,6 +12,7 @@ enum class BaseContact {
   bilateral,   // no normal motion, either way; Coulomb friction against sliding
   unilateral,  // no motion into the base, free to lift off; Coulomb friction while pressed
   stick,       // no motion at all
+  two_body,    // Coulomb contact of two bodies, soil and a rigid base, with normals from their mass gradients (contact.hpp)
 };
 
 /// What a wall does to the nodes on it.
@@ -48,6 +49,35 @@ struct TimeStepping {
   std::optional<double> step;  // s; absent: step_fraction times the stability limit
   double step_fraction = 0.5;
   std::optional<RestRule> rest;  // absent: runs to the end
+};
+
+/// When in a step the stress follows the strain.
+enum class UpdateOrder {
+  musl,  // last, with velocities of the moved points mapped once more to the nodes (modified update stress last)
+  usl,   // last, with the node velocities that moved the points
+  usf,   // first, with node velocities before the forces act
+};
+
+enum class ShapeFunctions { gimp, linear };
+
+/// How volume changes of nearly incompressible soil are kept from locking.
+enum class AntiLocking {
+  none,
+  b_bar,  // one volume change and one mean stress for all points of a cell (block_dilation.hpp)
+};
+
+struct Scheme {
+  UpdateOrder update_order = UpdateOrder::musl;
+  ShapeFunctions shape_functions = ShapeFunctions::gimp;
+  AntiLocking anti_locking = AntiLocking::none;
+  double damping_rate = 0;  // 1/s: how fast point velocities tend to those of the grid; free of the step's length
+};
+
+/// Softening by a strain averaged over neighbours (nonlocal_softening.hpp); without it softening is local and its results
+/// depend on the size of the cells.
+struct NonlocalSoftening {
+  double length = 0;  // m, a parameter of the material
+  double factor = 2;  // m of the over-nonlocal average; 1 is the plain average
 };
 
 }  // namespace slidezone

@@ -7,7 +7,9 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "mpm/contact.hpp"
 #include "mpm/nodes.hpp"
+#include "mpm/nonlocal_softening.hpp"
 
 namespace slidezone {
 
@@ -62,37 +64,38 @@ NodeBox grown(const NodeBox& box, const NodeStorage& storage) {
           std::min(storage.rows - 1, box.last_row + 1)};
 }
 
-SweepData sweep_data(Points& points, Nodes& nodes, const std::vector<SoilConstants>& soils, const Model& model, const NodeBox& box,
-                     double step) {
-  return {.point_count = points.count(),
-          .x = points.x.data(),
-          .y = points.y.data(),
-          .velocity = points.velocity.data(),
-          .movement = points.movement.data(),
-          .xx = points.xx.data(),
-          .yy = points.yy.data(),
-          .zz = points.zz.data(),
-          .xy = points.xy.data(),
-          .volume = points.volume.data(),
-          .plastic_strain = points.plastic_strain.data(),
-          .mass = points.mass.data(),
-          .peak_cohesion = points.peak_cohesion.data(),
-          .soil = points.soil.data(),
-          .soils = soils.data(),
-          .node_mass = nodes.mass.data(),
-          .node_momentum = nodes.velocity.data(),
-          .node_force = nodes.change.data(),
-          .node_velocity = nodes.velocity.data(),
-          .node_change = nodes.change.data(),
-          .node_new_momentum = nodes.new_velocity.data(),
-          .node_new_velocity = nodes.new_velocity.data(),
-          .storage = nodes.storage,
-          .box = box,
-          .grid = model.grid,
-          .half_size_x = 0.5 * model.point_spacing_x / model.grid.cell_x,
-          .half_size_y = 0.5 * model.point_spacing_y / model.grid.cell_y,
-          .step = step};
+/// Size of a point's domain in cells, halved.
+HalfSize half_size(const Model& model) {
+  if (model.method.shape_functions == ShapeFunctions::linear) return {0, 0};
+  return {0.5 * model.point_spacing_x / model.grid.cell_x, 0.5 * model.point_spacing_y / model.grid.cell_y};
 }
+
+/// Storage of what averaging over cells needs.
+struct DilationStorage {
+  std::vector<double> xx, xy, yx, yy;
+  std::vector<int> cell;
+  std::vector<double> cell_volume, cell_dilation, cell_now_volume, cell_pressure;
+
+  DilationStorage(std::size_t points, std::size_t cells)
+      : xx(points),
+        xy(points),
+        yx(points),
+        yy(points),
+        cell(points),
+        cell_volume(cells),
+        cell_dilation(cells),
+        cell_now_volume(cells),
+        cell_pressure(cells) {}
+
+  Dilation view() {
+    return {
+        xx.data(),           xy.data(), yx.data(), yy.data(), cell.data(), cell_volume.data(), cell_dilation.data(), cell_now_volume.data(),
+        cell_pressure.data()};
+  }
+  void clear_sums() {
+    for (auto* sums : {&cell_volume, &cell_dilation, &cell_now_volume, &cell_pressure}) std::fill(sums->begin(), sums->end(), 0.0);
+  }
+};
 
 /// When the grid's kinetic energy last was above a fraction of its peak.
 class RestWatch {
@@ -140,6 +143,12 @@ class Run {
     audit_.least_work = std::max(kinetic_at_start_, work_of_a_small_fall(points_, model_));
     for (const Material& soil : model_.soils) soils_.push_back(soil_constants(soil));
     settings_ = {model_.grid, model_.boundaries, least_mass_fraction * *std::max_element(points_.mass.begin(), points_.mass.end()), step_};
+    if (model_.method.anti_locking == AntiLocking::b_bar) dilation_.emplace(points_.count(), nodes_.storage.count());
+    if (model_.nonlocal_softening) {
+      nonlocal_.emplace(points_, model_.soils, model_.point_spacing_x, model_.point_spacing_y, *model_.nonlocal_softening);
+      points_.softening_strain = points_.plastic_strain;
+      average_interval_ = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(NonlocalAverage::interval / step_));
+    }
     box_ = {0, nodes_.storage.columns - 1, 0, nodes_.storage.rows - 1};
     box_ = sweeps_.update(data()).box;  // at rest on a resting grid: nothing changes, but the box is found
   }
@@ -147,22 +156,20 @@ class Run {
   /// One step; false ends the run.
   bool advance(double time) {
     if (steps_ % sort_interval == 0) points_ = reordered(points_, order_by_cell(points_, nodes_.storage, model_.grid));
-    const NodeBox box = grown(box_, nodes_.storage);
-    clear_sums(nodes_, box);
-    box_ = box;
-    const SweepReport report = sweeps_.update_and_map(data());
+    if (nonlocal_ && steps_ % average_interval_ == 0) nonlocal_->update(points_, points_.softening_strain);
+    box_ = grown(box_, nodes_.storage);
+    clear_sums(nodes_, box_);
+    const SweepReport report = model_.method.update_order == UpdateOrder::usf ? stress_first() : stress_last();
     audit_.internal_work += report.internal_work;
     if (report.is_broken) return stop(Ending::diverged, time);
     box_ = report.box;
     if (reaches_edge() && has_left_grid()) return stop(Ending::left_domain, time);
-    const NodeEnergies energies = update_velocities(nodes_, box_, gravity(time), settings_);
+    const NodeEnergies energies = update_velocities(nodes_, box_, gravity(time), settings_, contact());
     audit_.gravity_work += energies.gravity_work;
     audit_.friction_work += energies.friction_work;
     grid_kinetic_ = energies.kinetic;
     if (!std::isfinite(grid_kinetic_)) return stop(Ending::diverged, time);
-    clear_new_sums(nodes_, box_);
-    sweeps_.gather_and_map(data());
-    update_new_velocities(nodes_, box_, settings_);
+    follow_nodes();
     ++steps_;
     return true;
   }
@@ -192,6 +199,73 @@ class Run {
   }
 
  private:
+  // ---- parts of a step ----
+
+  /// MUSL and USL: stress by the last node velocities, move, then everything to the nodes.
+  SweepReport stress_last() {
+    SweepReport report;
+    if (dilation_) {
+      report = update_with_mean_dilation();
+      sweeps_.map_with_mean_stress(data());
+    } else {
+      report = sweeps_.update_and_map(data());
+    }
+    fold_mass(nodes_, report.box, settings_);
+    return report;
+  }
+
+  SweepReport update_with_mean_dilation() {
+    dilation_->clear_sums();
+    sweeps_.gather_dilation(data());
+    return sweeps_.update_with_mean_dilation(data());
+  }
+
+  /// USF: move, momentum to the nodes, stress by their velocities, then force to the nodes.
+  SweepReport stress_first() {
+    const SweepReport moved = sweeps_.move_and_map_momentum(data());
+    if (moved.is_broken) return moved;
+    fold_mass(nodes_, moved.box, settings_);
+    copy_velocities(nodes_, moved.box);
+    update_new_velocities(nodes_, moved.box, settings_);
+    return sweeps_.update_and_map_force(data());
+  }
+
+  /// Points follow the nodes, and the nodes get the velocities that the next strain is made of.
+  void follow_nodes() {
+    if (model_.method.update_order == UpdateOrder::musl) {
+      clear_new_sums(nodes_, box_);
+      audit_.damping_work += sweeps_.gather_and_map(data());
+      update_new_velocities(nodes_, box_, settings_);
+    } else {
+      audit_.damping_work += sweeps_.gather(data());
+      copy_velocities(nodes_, box_);
+    }
+  }
+
+  /// Stress and movement of the step in progress.
+  void complete() {
+    box_ = grown(box_, nodes_.storage);
+    if (model_.method.update_order == UpdateOrder::usf)
+      sweeps_.move_and_map_momentum(data());
+    else if (dilation_)
+      audit_.internal_work += update_with_mean_dilation().internal_work;
+    else
+      audit_.internal_work += sweeps_.update(data()).internal_work;
+  }
+
+  ContactNormals contact() const {
+    if (model_.boundaries.base != BaseContact::two_body) return {};
+    return contact_normals(points_, model_.grid, half_size(model_), model_.soils.back().density);
+  }
+
+  Vec2 gravity(double time) const {
+    const bool is_ramp = model_.gravity.protocol == GravityProtocol::ramp;
+    const double part = is_ramp ? std::min(1.0, (time + 0.5 * step_) / model_.gravity.ramp_time) : 1;
+    return {part * model_.gravity.acceleration.x, part * model_.gravity.acceleration.y};
+  }
+
+  // ---- guards ----
+
   /// Whether points reach the nodes of a side that does not hold them back: then each is looked at.
   bool reaches_edge() const {
     const bool at_left = model_.boundaries.left == Wall::open && box_.first_column <= NodeStorage::padding;
@@ -205,25 +279,49 @@ class Run {
     return false;
   }
 
-  SweepData data() { return sweep_data(points_, nodes_, soils_, model_, box_, step_); }
-
-  Vec2 gravity(double time) const {
-    const bool is_ramp = model_.gravity.protocol == GravityProtocol::ramp;
-    const double part = is_ramp ? std::min(1.0, (time + 0.5 * step_) / model_.gravity.ramp_time) : 1;
-    return {part * model_.gravity.acceleration.x, part * model_.gravity.acceleration.y};
-  }
-
-  /// Stress and movement of the step in progress.
-  void complete() {
-    box_ = grown(box_, nodes_.storage);
-    audit_.internal_work += sweeps_.update(data()).internal_work;
-  }
-
   bool stop(Ending ending, double time) {
     has_stopped_ = true;
     ending_ = ending;
     trouble_ = trouble_of(points_, model_.grid, steps_, time);
     return false;
+  }
+
+  // ---- what the sweeps see ----
+
+  SweepData data() {
+    const HalfSize half = half_size(model_);
+    if (dilation_) dilation_view_ = dilation_->view();
+    return {.point_count = points_.count(),
+            .x = points_.x.data(),
+            .y = points_.y.data(),
+            .velocity = points_.velocity.data(),
+            .movement = points_.movement.data(),
+            .xx = points_.xx.data(),
+            .yy = points_.yy.data(),
+            .zz = points_.zz.data(),
+            .xy = points_.xy.data(),
+            .volume = points_.volume.data(),
+            .plastic_strain = points_.plastic_strain.data(),
+            .softening_strain = nonlocal_ ? points_.softening_strain.data() : points_.plastic_strain.data(),
+            .mass = points_.mass.data(),
+            .peak_cohesion = points_.peak_cohesion.data(),
+            .soil = points_.soil.data(),
+            .soils = soils_.data(),
+            .node_mass = nodes_.mass.data(),
+            .node_momentum = nodes_.velocity.data(),
+            .node_force = nodes_.change.data(),
+            .node_velocity = nodes_.velocity.data(),
+            .node_change = nodes_.change.data(),
+            .node_new_momentum = nodes_.new_velocity.data(),
+            .node_new_velocity = nodes_.new_velocity.data(),
+            .dilation = dilation_ ? &dilation_view_ : nullptr,
+            .storage = nodes_.storage,
+            .box = box_,
+            .grid = model_.grid,
+            .half_size_x = half.x,
+            .half_size_y = half.y,
+            .step = step_,
+            .grid_part = -std::expm1(-model_.method.damping_rate * step_)};
   }
 
   Model model_;
@@ -235,6 +333,10 @@ class Run {
   std::vector<SoilConstants> soils_;
   NodeSettings settings_;
   NodeBox box_;
+  std::optional<DilationStorage> dilation_;
+  Dilation dilation_view_{};
+  std::optional<NonlocalAverage> nonlocal_;
+  std::uint64_t average_interval_ = 1;  // steps
   EnergyAudit audit_;
   double grid_kinetic_ = 0;
   std::uint64_t steps_ = 0;

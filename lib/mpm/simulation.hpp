@@ -1,7 +1,7 @@
 // One run of the material point method: the time loop around the two sweeps (MUSL, GIMP), with its guards.
 //
 // Step limit: dt <= min(cell) / c with c = sqrt(M / rho) the speed of plane waves and M the constrained modulus.
-// Energy audit: work of gravity = internal work + friction work + kinetic energy of the points. What does not close is the
+// Energy audit: work of gravity = internal work + friction work + damping + kinetic energy of the points. What does not close is the
 // error; it is the guard that sees an unstable step while all numbers still look plausible. It is measured by the work of
 // gravity or, where the soil hardly sinks, by what it started with: its kinetic energy, and the work that gravity would do on
 // it over a thousandth of its height.
@@ -35,6 +35,8 @@ struct Model {
   Boundaries boundaries;
   Gravity gravity;
   TimeStepping time;
+  Scheme method;
+  std::optional<NonlocalSoftening> nonlocal_softening;
   bool refuses_long_steps = true;  // beyond step_limit; tests that look for the true limit say false
 };
 
@@ -44,10 +46,11 @@ struct EnergyAudit {
   double gravity_work = 0;  // J/m
   double internal_work = 0;
   double friction_work = 0;
+  double damping_work = 0;
   double kinetic = 0;     // of the points, less what they began with
   double least_work = 0;  // the error is measured by this at least
 
-  double missing() const { return gravity_work - internal_work - friction_work - kinetic; }
+  double missing() const { return gravity_work - internal_work - friction_work - damping_work - kinetic; }
   /// What does not close, as a part of gravity's work or of least_work, whichever is more.
   double error() const;
 };

@@ -1,14 +1,13 @@
 // Compiled three times, with SLIDEZONE_SWEEPS naming the function for each instruction set; see CMakeLists.txt.
 #include "mpm/sweeps.hpp"
 
+#include "mpm/block_dilation.hpp"
 #include "mpm/block_stress.hpp"
 #include "mpm/block_transfer.hpp"
 #include "mpm/block_weights.hpp"
 
 namespace slidezone {
 namespace {
-
-enum class Map { yes, no };
 
 template <class Act>
 [[gnu::always_inline]] inline void for_each_block(const SweepData& data, Act act) {
@@ -23,37 +22,128 @@ NodeBox joined(const NodeBox& a, const NodeBox& b) {
           a.first_row < b.first_row ? a.first_row : b.first_row, a.last_row > b.last_row ? a.last_row : b.last_row};
 }
 
-template <SoilTraits traits, Map map>
-SweepReport sweep_a(const SweepData& data) {
+SweepReport empty_report(const SweepData& data) {
   SweepReport report;
   report.box = {data.storage.columns, 0, data.storage.rows, 0};
+  return report;
+}
+
+void join(SweepReport& report, const Reached& reached) {
+  report.box = joined(report.box, reached.box);
+  report.is_broken |= reached.is_lost;
+}
+
+void join(SweepReport& report, const StressUpdate& update) {
+  report.internal_work += update.internal_work;
+  report.is_broken |= update.is_broken;
+}
+
+// ---- MUSL and USL -------------------------------------------------------------------------------------------------------
+
+enum class Map { yes, no };
+
+template <SoilTraits traits, Map map>
+SweepReport update_and_map(const SweepData& data) {
+  SweepReport report = empty_report(data);
   for_each_block(data, [&](Block block) {
     BlockWeights weights;
     BlockGradients gradients;
     weigh(data, block, weights);
     gather_gradients(data, block, weights, gradients);
-    const StressUpdate stress = update_stress<traits>(data, block, gradients);
+    join(report, update_stress<traits>(data, block, gradients));
     move(data, block);
-    const Reached reached = weigh(data, block, weights);
-    if constexpr (map == Map::yes) map_to_nodes(data, block, weights);
-    report.box = joined(report.box, reached.box);
-    report.internal_work += stress.internal_work;
-    report.is_broken |= reached.is_lost || stress.is_broken;
+    join(report, weigh(data, block, weights));
+    if constexpr (map == Map::yes) map_to_nodes<Give::both>(data, block, weights, stress_of(data, block));
   });
   return report;
 }
 
-void sweep_b(const SweepData& data) {
+void gather_dilation(const SweepData& data) {
   for_each_block(data, [&](Block block) {
     BlockWeights weights;
+    BlockGradients gradients;
     weigh(data, block, weights);
-    gather_and_map_block(data, block, weights);
+    gather_gradients(data, block, weights, gradients);
+    sum_dilation(data, block, weights, gradients);
   });
 }
 
 template <SoilTraits traits>
+SweepReport update_with_mean_dilation(const SweepData& data) {
+  SweepReport report = empty_report(data);
+  for_each_block(data, [&](Block block) {
+    BlockWeights weights;
+    BlockGradients gradients;
+    mean_gradients(data, block, gradients);
+    join(report, update_stress<traits>(data, block, gradients));
+    move(data, block);
+    join(report, weigh(data, block, weights));
+    sum_pressure(data, block, weights);
+  });
+  return report;
+}
+
+void map_with_mean_stress(const SweepData& data) {
+  for_each_block(data, [&](Block block) {
+    BlockWeights weights;
+    MeanStress mean;
+    weigh(data, block, weights);
+    mean_stress(data, block, mean);
+    map_to_nodes<Give::both>(data, block, weights, {mean.xx, mean.yy, data.xy + block.first});
+  });
+}
+
+// ---- USF ----------------------------------------------------------------------------------------------------------------
+
+SweepReport move_and_map_momentum(const SweepData& data) {
+  SweepReport report = empty_report(data);
+  for_each_block(data, [&](Block block) {
+    BlockWeights weights;
+    move(data, block);
+    join(report, weigh(data, block, weights));
+    map_to_nodes<Give::momentum>(data, block, weights, {});
+  });
+  return report;
+}
+
+template <SoilTraits traits>
+SweepReport update_and_map_force(const SweepData& data) {
+  SweepReport report = empty_report(data);
+  for_each_block(data, [&](Block block) {
+    BlockWeights weights;
+    BlockGradients gradients;
+    join(report, weigh(data, block, weights));
+    gather_gradients(data, block, weights, gradients);
+    join(report, update_stress<traits>(data, block, gradients));
+    map_to_nodes<Give::force>(data, block, weights, stress_of(data, block));
+  });
+  return report;
+}
+
+// ---- sweep B ------------------------------------------------------------------------------------------------------------
+
+template <SecondMap second_map>
+double gather(const SweepData& data) {
+  double damped = 0;
+  for_each_block(data, [&](Block block) {
+    BlockWeights weights;
+    weigh(data, block, weights);
+    damped += gather_block<second_map>(data, block, weights);
+  });
+  return damped;
+}
+
+template <SoilTraits traits>
 Sweeps sweeps_for() {
-  return {sweep_a<traits, Map::yes>, sweep_a<traits, Map::no>, sweep_b};
+  return {.update_and_map = update_and_map<traits, Map::yes>,
+          .update = update_and_map<traits, Map::no>,
+          .gather_dilation = gather_dilation,
+          .update_with_mean_dilation = update_with_mean_dilation<traits>,
+          .map_with_mean_stress = map_with_mean_stress,
+          .move_and_map_momentum = move_and_map_momentum,
+          .update_and_map_force = update_and_map_force<traits>,
+          .gather_and_map = gather<SecondMap::yes>,
+          .gather = gather<SecondMap::no>};
 }
 
 template <bool has_cone, bool has_softening>

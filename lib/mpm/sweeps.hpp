@@ -18,12 +18,21 @@
 
 namespace slidezone {
 
+/// What averaging over cells needs; see block_dilation.hpp. Cells are counted by their lower left node.
+struct Dilation {
+  double *xx, *xy, *yx, *yy;                // velocity gradient of each point, 1/s
+  int* cell;                                // of each point
+  double *cell_volume, *cell_dilation;      // sums over the points of a cell: V, V (L_xx + L_yy)
+  double *cell_now_volume, *cell_pressure;  // sums after the move: V, V (s_xx + s_yy) / 2
+};
+
 /// What the sweeps read and write; arrays as in points.hpp and nodes.hpp, whose layout grid/node_storage.hpp gives.
 struct SweepData {
   // points
   std::size_t point_count;
   double *x, *y, *velocity, *movement;
   double *xx, *yy, *zz, *xy, *volume, *plastic_strain;
+  const double* softening_strain;  // what softening follows: plastic_strain itself, or its average over neighbours
   const double *mass, *peak_cohesion;
   const int* soil;
   const SoilConstants* soils;
@@ -32,12 +41,14 @@ struct SweepData {
   const double *node_velocity, *node_change;       // v and dt a after the node update, read by sweep B
   double* node_new_momentum;                       // written by sweep B
   const double* node_new_velocity;                 // read by the next sweep A
+  Dilation* dilation;                              // for AntiLocking::b_bar alone
   NodeStorage storage;
   NodeBox box;  // the nodes that points may reach; they are zeroed before sweep A
   // geometry
   GridShape grid;
   double half_size_x, half_size_y;  // of a point's domain, in cells; 0 for linear shape functions
   double step;                      // s
+  double grid_part;                 // of a point's velocity that is taken from the grid in each step: damping
 };
 
 /// What sweep A saw, over all points.
@@ -54,9 +65,19 @@ InstructionSet best_instruction_set();
 
 /// The sweeps for one instruction set and one combination of soil traits.
 struct Sweeps {
+  // MUSL and USL
   SweepReport (*update_and_map)(const SweepData&);  // sweep A
   SweepReport (*update)(const SweepData&);          // sweep A without the map to the nodes: ends a run
-  void (*gather_and_map)(const SweepData&);         // sweep B
+  // the same with averages over cells, in three passes
+  void (*gather_dilation)(const SweepData&);
+  SweepReport (*update_with_mean_dilation)(const SweepData&);
+  void (*map_with_mean_stress)(const SweepData&);
+  // USF
+  SweepReport (*move_and_map_momentum)(const SweepData&);
+  SweepReport (*update_and_map_force)(const SweepData&);
+  // sweep B, with the second map of MUSL and without; both give the energy that damping took, J/m
+  double (*gather_and_map)(const SweepData&);
+  double (*gather)(const SweepData&);
 };
 
 Sweeps sweeps(InstructionSet set, SoilTraits traits);

@@ -70,6 +70,8 @@ Model model_of(const Scene& scene, const MaterialPoints& points, const std::opti
   model.boundaries = scene.boundaries;
   model.gravity = scene.gravity;
   model.time = scene.time;
+  model.method = scene.method;
+  model.nonlocal_softening = scene.nonlocal_softening;
   model.points = points_at_rest(points.x.size());
   model.points.x = points.x;
   model.points.y = points.y;

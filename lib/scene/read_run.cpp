@@ -17,11 +17,16 @@ static const Range proper_fraction{.low = 0, .high = 1, .is_low_excluded = true,
 template <class Value>
 using Words = std::vector<std::pair<std::string, Value>>;
 
-static const Words<BaseContact> contacts = {
-    {"bilateral", BaseContact::bilateral}, {"unilateral", BaseContact::unilateral}, {"stick", BaseContact::stick}};
+static const Words<BaseContact> contacts = {{"bilateral", BaseContact::bilateral},
+                                            {"unilateral", BaseContact::unilateral},
+                                            {"stick", BaseContact::stick},
+                                            {"two-body", BaseContact::two_body}};
 static const Words<Wall> walls = {{"roller", Wall::roller}, {"stick", Wall::stick}, {"open", Wall::open}};
 static const Words<GravityProtocol> protocols = {
     {"sudden", GravityProtocol::sudden}, {"ramp", GravityProtocol::ramp}, {"k0", GravityProtocol::k0}};
+static const Words<UpdateOrder> update_orders = {{"MUSL", UpdateOrder::musl}, {"USL", UpdateOrder::usl}, {"USF", UpdateOrder::usf}};
+static const Words<ShapeFunctions> shape_functions = {{"GIMP", ShapeFunctions::gimp}, {"linear", ShapeFunctions::linear}};
+static const Words<AntiLocking> anti_lockings = {{"none", AntiLocking::none}, {"B-bar", AntiLocking::b_bar}};
 
 /// The value that the key's word stands for; an absent key leaves `absent`.
 template <class Value>
@@ -95,6 +100,29 @@ TimeStepping read_time(const TomlTable& table, const Gravity& gravity) {
   time.step_fraction = table.number_or("step_fraction", fraction, time.step_fraction);
   if (table.has("rest")) time.rest = read_rest(table.table("rest"), time.end);
   return time;
+}
+
+Scheme read_method(const TomlTable& table) {
+  table.check_keys({"update_order", "shape_functions", "anti_locking", "damping_rate"});
+  Scheme method;
+  method.update_order = choice_or(table, "update_order", update_orders, method.update_order);
+  method.shape_functions = choice_or(table, "shape_functions", shape_functions, method.shape_functions);
+  method.anti_locking = choice_or(table, "anti_locking", anti_lockings, method.anti_locking);
+  method.damping_rate = table.quantity_or("damping_rate", "s-1", not_negative, method.damping_rate);
+  if (method.anti_locking == AntiLocking::b_bar && method.update_order == UpdateOrder::usf)
+    table.fail("anti_locking", "\"B-bar\" averages over cells at the end of a step; take update_order = \"MUSL\" or \"USL\"");
+  return method;
+}
+
+NonlocalSoftening read_nonlocal_softening(const TomlTable& table, const std::vector<Layer>& layers) {
+  table.check_keys({"length", "factor"});
+  NonlocalSoftening softening;
+  softening.length = table.quantity("length", "m", positive);
+  softening.factor = table.number_or("factor", {.low = 1, .high = 10}, softening.factor);
+  const auto softens = [](const Layer& layer) { return layer.material.softening_shape > 0; };
+  if (!layers.empty() && std::none_of(layers.begin(), layers.end(), softens))
+    table.fail("length", "has no use: no soil of the scene softens; give one a softening_shape or leave [nonlocal_softening] out");
+  return softening;
 }
 
 Output read_output(const TomlTable& table) {

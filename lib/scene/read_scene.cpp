@@ -26,7 +26,8 @@ static void check_right_wall(const TomlTable& slope_table, const Scene& scene) {
 
 Scene parse_scene(std::string_view text, const std::string& name, Needs needs) {
   const TomlTable file = TomlTable::parse(text, name);
-  file.check_keys({"title", "slope", "grid", "soil", "base", "walls", "gravity", "initial", "time", "field", "output", "study", "site"});
+  file.check_keys({"title", "slope", "grid", "soil", "base", "walls", "gravity", "initial", "time", "method", "nonlocal_softening", "field",
+                   "output", "study", "site"});
   check_needs(file, needs);
   Scene scene;
   scene.name = name;
@@ -41,6 +42,8 @@ Scene parse_scene(std::string_view text, const std::string& name, Needs needs) {
   if (file.has("gravity")) scene.gravity = read_gravity(file.table("gravity"));
   if (file.has("initial")) scene.initial_velocity = read_initial_velocity(file.table("initial"));
   if (file.has("time")) scene.time = read_time(file.table("time"), scene.gravity);
+  if (file.has("method")) scene.method = read_method(file.table("method"));
+  if (file.has("nonlocal_softening")) scene.nonlocal_softening = read_nonlocal_softening(file.table("nonlocal_softening"), scene.layers);
   if (file.has("field")) scene.fields = read_fields(file.table("field"), scene.slope, scene.layers);
   if (file.has("output")) scene.output = read_output(file.table("output"));
   if (file.has("study")) scene.study = read_study(file.table("study"));

@@ -31,6 +31,12 @@ Vec2 read_initial_velocity(const TomlTable& table);
 /// [time]; gravity must be full before the end.
 TimeStepping read_time(const TomlTable& table, const Gravity& gravity);
 
+/// [method]: how the material point method is carried out.
+Scheme read_method(const TomlTable& table);
+
+/// [nonlocal_softening]; some soil must soften.
+NonlocalSoftening read_nonlocal_softening(const TomlTable& table, const std::vector<Layer>& layers);
+
 /// [field.<parameter>], every one of them. Means must exceed the residual strength, which is the floor of a field.
 std::vector<FieldSpec> read_fields(const TomlTable& table, const Slope& slope, const std::vector<Layer>& layers);
 

@@ -76,6 +76,8 @@ struct Scene {
   Gravity gravity;
   Vec2 initial_velocity;  // of all soil, m/s
   TimeStepping time;
+  Scheme method;
+  std::optional<NonlocalSoftening> nonlocal_softening;
   std::vector<FieldSpec> fields;
   Output output;
   Study study;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "mpm/nonlocal_softening.hpp"
 #include "mpm/simulation.hpp"
 
 namespace slidezone {
@@ -277,6 +278,159 @@ TEST(Energy, ErrorOfSoilThatStandsIsMeasuredByASmallFall) {
   EXPECT_NEAR(outcome.energy.least_work, 80 * 20 * 9.81 * 2e-3, 1e-9);  // 80 points of 20 kg/m, 2 mm
   EXPECT_LT(std::abs(outcome.energy.gravity_work), outcome.energy.least_work);
   EXPECT_LT(std::abs(outcome.energy.error()), 0.01);
+}
+
+// ---- choices of the method ------------------------------------------------------------------------------------------------------
+
+TEST(Method, UpdateOrdersAgreeAsTheStepShrinks) {
+  // Part of the distance is of first order in the step. Part is not: MUSL's second map smooths velocities, whatever the step.
+  const auto distance = [](UpdateOrder order, double fraction) {
+    Model model = deforming_block();
+    model.time.step_fraction = fraction;
+    const Outcome musl = simulate(model);
+    model.method.update_order = order;
+    return worst_distance(simulate(model).points, musl.points);
+  };
+  for (const UpdateOrder order : {UpdateOrder::usl, UpdateOrder::usf}) {
+    EXPECT_LT(distance(order, 0.05), 0.9 * distance(order, 0.1));
+    EXPECT_LT(distance(order, 0.05), 0.01);
+  }
+}
+
+TEST(Method, EveryChoiceKeepsARigidFallExact) {
+  for (const UpdateOrder order : {UpdateOrder::musl, UpdateOrder::usl, UpdateOrder::usf})
+    for (const ShapeFunctions shape : {ShapeFunctions::gimp, ShapeFunctions::linear})
+      for (const AntiLocking locking : {AntiLocking::none, AntiLocking::b_bar}) {
+        if (order == UpdateOrder::usf && locking == AntiLocking::b_bar) continue;
+        Model model = block(3.03, 3.07, 4, 3, elastic);
+        model.method = {order, shape, locking, 0};
+        model.time.end = 0.3;
+        const Outcome outcome = simulate(model);
+        const double dt = outcome.time / static_cast<double>(outcome.steps);
+        const double fallen = -9.81 * outcome.time * (outcome.time + dt) / 2;
+        for (std::size_t p = 0; p < outcome.points.count(); ++p)
+          ASSERT_NEAR(outcome.points.y[p] - model.points.y[p], fallen, 1e-8) << static_cast<int>(order) << static_cast<int>(shape);
+      }
+}
+
+TEST(Method, BBarGivesAllPointsOfACellOneVolumeChange) {
+  Model model = deforming_block();
+  model.points = block(3, 1.2, 5, 4, clay).points;  // on cell boundaries, so that cells are whole
+  for (std::size_t p = 0; p < model.points.count(); ++p) model.points.velocity[2 * p] = std::pow(model.points.x[p] - 3, 2);
+  model.method.anti_locking = AntiLocking::b_bar;
+  model.gravity.acceleration = {0, 0};
+  model.time = {.end = 1e-3, .step = 1e-3, .step_fraction = 0.5, .rest = {}};
+  const Points points = simulate(model).points;
+  for (std::size_t p = 0; p + 1 < points.count(); p += 2) {
+    EXPECT_NEAR(points.volume[p], points.volume[p + 1], 1e-15);  // two points of a cell, one above the other
+    EXPECT_NE(points.volume[p], 0.01);
+  }
+  EXPECT_NEAR(points.volume[0], points.volume[8], 1e-15);  // and beside each other
+}
+
+TEST(Method, BBarKeepsNearlyIncompressibleSoilFromLocking) {
+  // A block of clay slumps under its weight; at nu = 0.499 plain points lock and hardly move (PHYSICS: R 0.6 in place of 17).
+  const auto spread = [](double nu, AntiLocking locking) {
+    Material soil{.density = 2000, .youngs_modulus = 1e6, .poisson_ratio = nu, .peak_cohesion = 5e3, .residual_cohesion = 5e3};
+    Model model = block(0, 0, 10, 10, soil);
+    model.boundaries.base_friction = 0.3;
+    model.method.anti_locking = locking;
+    model.time.end = 1.5;
+    const Outcome outcome = simulate(model);
+    return *std::max_element(outcome.points.x.begin(), outcome.points.x.end()) - 2;
+  };
+  const double compressible = spread(0.3, AntiLocking::b_bar);
+  EXPECT_LT(spread(0.499, AntiLocking::none), 0.5 * compressible);
+  EXPECT_NEAR(spread(0.499, AntiLocking::b_bar) / compressible, 1, 0.25);  // nu itself changes the slump a little
+}
+
+TEST(Method, DampingDoesNotDependOnTheStep) {
+  const auto left = [](double fraction) {
+    Model model = deforming_block();
+    model.gravity.acceleration = {0, 0};
+    model.method.damping_rate = 5;
+    model.time.end = 1;
+    model.time.step_fraction = fraction;
+    return simulate(model);
+  };
+  const Outcome coarse = left(0.2);
+  const Outcome fine = left(0.05);
+  EXPECT_GT(coarse.energy.damping_work, 0);
+  EXPECT_NEAR(coarse.energy.damping_work / fine.energy.damping_work, 1, 0.1);
+}
+
+TEST(TwoBodyBase, StopsASlidingBlockByFriction) {
+  Model model = block(1, 0, 48, 2, elastic);
+  model.grid = {0.2, 0.2, 80, 10};
+  model.boundaries.base = BaseContact::two_body;
+  model.boundaries.base_friction = 0.3;
+  model.boundaries.left = Wall::open;
+  model.gravity.protocol = GravityProtocol::k0;
+  for (std::size_t p = 0; p < model.points.count(); ++p) model.points.yy[p] = -2000 * 9.81 * (0.4 - model.points.y[p]);
+  throw_all(model, 3, 0);
+  model.time.end = 1.5;
+  model.time.step_fraction = 0.1;
+  const std::vector<double> x0 = model.points.x;
+  const Outcome outcome = simulate(model);
+  double moved = 0;
+  for (std::size_t p = 0; p < x0.size(); ++p) moved += (outcome.points.x[p] - x0[p]) / static_cast<double>(x0.size());
+  // Normals lean at the block's ends, which adds resistance there: 1.18, 1.36, 1.46, 1.51 m at 6, 12, 24, 48 cells of length.
+  EXPECT_NEAR(moved, 9 / (2 * 0.3 * 9.81), 0.03 * 1.529);
+}
+
+TEST(TwoBodyBase, LetsSoilLiftOff) {
+  Model model = block(3, 0, 3, 2, elastic);
+  model.boundaries.base = BaseContact::two_body;
+  throw_all(model, 0, 1);
+  model.time.end = 0.1;
+  const Outcome outcome = simulate(model);
+  EXPECT_GT(*std::min_element(outcome.points.y.begin(), outcome.points.y.end()), 0.08);
+}
+
+// ---- nonlocal softening ---------------------------------------------------------------------------------------------------------
+
+TEST(NonlocalSoftening, LeavesAUniformStrainAlone) {
+  Model model = block(0, 0, 10, 6, clay);
+  std::fill(model.points.plastic_strain.begin(), model.points.plastic_strain.end(), 0.05);
+  NonlocalAverage average(model.points, model.soils, 0.1, 0.1, {.length = 0.6, .factor = 2});
+  std::vector<double> strain(model.points.count(), 0.0);
+  average.update(model.points, strain);
+  for (const double value : strain) EXPECT_NEAR(value, 0.05, 1e-14);  // also at the edges and corners
+}
+
+TEST(NonlocalSoftening, IsTheGaussianAverageOfACappedPoint) {
+  Model model = block(0, 0, 20, 20, clay);
+  const std::size_t middle = 20 * 40 + 20;
+  model.points.plastic_strain[middle] = 99;
+  const double cap = 0.01 + 4.0 / 8;
+  std::vector<double> strain(model.points.count(), 0.0);
+  NonlocalAverage(model.points, model.soils, 0.1, 0.1, {.length = 0.6, .factor = 1}).update(model.points, strain);
+  const auto weight = [](int k) { return std::abs(k) <= 9 ? std::exp(-0.5 * std::pow(k * 0.1 / 0.3, 2)) : 0; };
+  double sum = 0;
+  for (int k = -9; k <= 9; ++k) sum += weight(k);
+  EXPECT_NEAR(strain[middle + 3], cap * weight(3) / (sum * sum), 1e-15);
+  EXPECT_NEAR(strain[middle + 2 * 40], cap * weight(2) / (sum * sum), 1e-15);
+  EXPECT_EQ(strain[middle + 12], 0);
+}
+
+TEST(NonlocalSoftening, NeverGivesStrengthBack) {
+  Model model = block(0, 0, 10, 6, clay);
+  NonlocalAverage average(model.points, model.soils, 0.1, 0.1, {.length = 0.6, .factor = 2});
+  std::vector<double> strain(model.points.count(), 0.2);
+  average.update(model.points, strain);
+  EXPECT_EQ(*std::min_element(strain.begin(), strain.end()), 0.2);
+}
+
+TEST(NonlocalSoftening, KeepsSoilsApart) {
+  Model model = block(0, 0, 10, 6, clay);
+  model.soils.push_back(clay);
+  for (std::size_t p = 0; p < model.points.count(); ++p) {
+    model.points.soil[p] = model.points.y[p] > 0.6 ? 1 : 0;
+    model.points.plastic_strain[p] = model.points.soil[p] == 1 ? 0.3 : 0;
+  }
+  std::vector<double> strain(model.points.count(), 0.0);
+  NonlocalAverage(model.points, model.soils, 0.1, 0.1, {.length = 0.6, .factor = 2}).update(model.points, strain);
+  for (std::size_t p = 0; p < model.points.count(); ++p) EXPECT_NEAR(strain[p], model.points.soil[p] == 1 ? 0.3 : 0, 1e-14);
 }
 
 // ---- base and walls ---------------------------------------------------------------------------------------------------------------
