@@ -194,6 +194,8 @@ BAD = [
     ("measured", '"14 kPa"', "@14", "'data' wants a text with its unit, found 14"),
     ("measured", 'marginal = "empirical"', 'marginal = "empirical"\nmean = @"20 kPa"', "'mean' has no meaning with marginal = \"empirical\""),
     ("measured", 'marginal = "empirical"', 'marginal = "empirical"\ncov = @0.3', "'cov' has no meaning with marginal = \"empirical\""),
+    ("measured", '"borings.tsv"', '@""', "'measurements' wants the name of a file"),
+    ("measured", '"borings.tsv"', "@5", "'measurements' wants a text in quotes, found 5"),
     ("measured", '"physical"', '@"real"', "'correlation_of' wants Gaussian or physical, found \"real\""),
     ("layers", '"single exponential"', '@"gaussian"', "'autocorrelation' wants single exponential, squared exponential, second-order Markov"),
     ("bedded", 'smoothness = 2.5\n', "", "no key 'smoothness' in [field.cohesion]"),

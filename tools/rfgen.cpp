@@ -1,9 +1,10 @@
 // rfgen: samples of a scene's random field on the field's mesh.
-// Scene -> samples in an HDF5 file ("slidezone-fields 1").
+// Scene, and the measurements that it names ("slidezone-measurements 1") -> samples in an HDF5 file ("slidezone-fields 1").
 //   rfgen pipelines/demo/scene.toml -n 24 -o fields.h5
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -20,6 +21,7 @@
 #include "field/random_field.hpp"
 #include "io/file.hpp"
 #include "io/hdf5_image.hpp"
+#include "io/table.hpp"
 #include "scene/scene.hpp"
 
 namespace slidezone {
@@ -40,7 +42,8 @@ const char* const manual =
     R"(Samples of a scene's random field [field.cohesion], one value per cell of the field's mesh.
 
 Samples are numbered from 1. Sample K depends on the scene's field, the seed and K alone: it is the same whenever, wherever and with
-whatever other samples it is drawn. The scene chooses autocorrelation and method; --explain says what that comes to. Values below the least residual cohesion of the scene's soils are raised to it and counted.
+whatever other samples it is drawn. The scene chooses autocorrelation and method; --explain says what that comes to. Where the scene names a table
+of measurements, every sample honours them. Values below the least residual cohesion of the scene's soils are raised to it and counted.
 The result is an HDF5 file; data-schemas/fields.json lists what it holds.)";
 
 /// The strength below which no soil of the scene can fall.
@@ -98,10 +101,43 @@ std::string explanation(const MethodReport& report) {
          "\nshare of the variance kept: " + format_brief(report.variance_kept, 6) + "\n";
 }
 
-/// The sampler of the scene's field; errors name the scene and the field.
-RandomField field_of(const Draw& draw, const Scene& scene) {
+/// What samples must honour, and the checksum of the table that says it; empty where there is none.
+struct Conditions {
+  std::vector<Measurement> measurements;
+  std::string checksum;
+};
+
+/// One row of the table of measurements: its cell, and its value in Pa.
+Measurement measurement_of(const Table& table, std::size_t row, const Scene& scene, const FieldMesh& mesh) {
+  const std::string where = to_string(table.where(row));
+  const double x = table.number(row, "x_m"), depth = table.number(row, "depth_m");
+  const double error = table.has_column("error_kPa") ? table.number(row, "error_kPa") : 0;
+  if (depth < 0 || error < 0) throw Error(ExitCode::data, where + ": depth and error want at least 0");
+  const double y = elevation(scene.slope.surface, x) - depth;
   try {
-    return RandomField(draw.spec.model, draw.floor);
+    const std::size_t cell = containing_cells(mesh, std::vector{x}, std::vector{y}).front();
+    return {cell, 1000 * table.number(row, "value_kPa"), 1000 * error, where};
+  } catch (const Error& outside) {
+    throw Error(outside.code(), where + ": " + outside.what());
+  }
+}
+
+Conditions read_conditions(const Scene& scene, const FieldSpec& spec) {
+  if (spec.measurements.empty()) return {};
+  const std::string path = (std::filesystem::path(scene.name).parent_path() / spec.measurements).string();
+  const std::string bytes = read_input(path);
+  const std::vector<std::string> columns = {"x_m", "depth_m", "value_kPa"};
+  const Table table = parse_tsv(bytes, path, "slidezone-measurements 1", columns);
+  Conditions conditions{{}, checksum(bytes)};
+  for (std::size_t row = 0; row < table.row_count(); ++row)
+    conditions.measurements.push_back(measurement_of(table, row, scene, spec.model.mesh));
+  return conditions;
+}
+
+/// The sampler of the scene's field; errors name the scene and the field.
+RandomField field_of(const Draw& draw, const Scene& scene, std::span<const Measurement> measurements) {
+  try {
+    return RandomField(draw.spec.model, draw.floor, measurements);
   } catch (const Error& error) {
     throw Error(error.code(), scene.name + ": [field." + draw.spec.parameter + "]: " + error.what());
   }
@@ -111,12 +147,14 @@ void run(const Options& options) {
   if (!options.explain) refuse_terminal(options.output);
   const Scene scene = read_scene(options.scene, {.soil = true, .field = true});
   const Draw draw = draw_of(options, scene);
-  RandomField field = field_of(draw, scene);
+  const Conditions conditions = read_conditions(scene, draw.spec);
+  RandomField field = field_of(draw, scene, conditions.measurements);
   if (options.explain) return write_output(options.output, explanation(field.report()));
   OutputFile output(options.output);
   Hdf5Writer file;
   Provenance origin = provenance("slidezone-fields 1", "rfgen");
   origin.details = {{"scene", scene.checksum}, {"seed", std::to_string(draw.seed)}};
+  if (!conditions.checksum.empty()) origin.details.emplace_back("measurements", conditions.checksum);
   file.provenance(origin);
   write_samples(draw, field, file, output);
   output.finish();

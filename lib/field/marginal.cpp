@@ -157,6 +157,19 @@ MarginalTransform::MarginalTransform(const Marginal& marginal) : marginal_(margi
   if (wants_table(marginal.distribution)) table_ = table_of(quantile_);
 }
 
+/// Bisection, to the last digit.
+std::optional<double> MarginalTransform::normal(double value) const {
+  double low = -8.6, high = 8.6;
+  if (value < quantile_(low) || value > quantile_(high)) return std::nullopt;
+  for (double middle = 0; middle > low && middle < high; middle = (low + high) / 2) (quantile_(middle) < value ? low : high) = middle;
+  return high;
+}
+
+double MarginalTransform::slope(double g) const {
+  constexpr double step = 1e-3;
+  return (quantile_(g + step) - quantile_(g - step)) / (2 * step);
+}
+
 void MarginalTransform::apply(std::span<double> values) const {
   if (marginal_.distribution == Distribution::lognormal)
     make_lognormal(values, lognormal(marginal_.mean, marginal_.cov));

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,12 @@ class MarginalTransform {
 
   /// The value of one standard normal, exactly.
   double value(double g) const { return quantile_(g); }
+
+  /// The standard normal of a value; nothing for one that lies beyond those of normals of +-8.6.
+  std::optional<double> normal(double value) const;
+
+  /// Change of the value with the normal.
+  double slope(double g) const;
 
   /// Standard normals become values, in place.
   void apply(std::span<double> values) const;

@@ -91,7 +91,7 @@ static void check_floor(const TomlTable& table, const Marginal& marginal, const 
 
 static FieldSpec read_cohesion(const TomlTable& table, const Slope& slope, const std::vector<Layer>& layers) {
   table.check_keys({"mean", "cov", "marginal", "low", "high", "data", "autocorrelation", "smoothness", "horizontal_scale", "vertical_scale",
-                    "lag", "bedding_angle", "nugget", "correlation_of", "average", "method", "variance_kept", "cell"});
+                    "lag", "bedding_angle", "nugget", "correlation_of", "average", "method", "variance_kept", "cell", "measurements"});
   FieldModel field;
   field.marginal = read_marginal(table);
   field.correlation = read_correlation(table);
@@ -103,7 +103,9 @@ static FieldSpec read_cohesion(const TomlTable& table, const Slope& slope, const
     table.fail("variance_kept", "has a meaning only with method = \"Karhunen-Loeve\"");
   field.variance_kept = table.number_or("variance_kept", shares, field.variance_kept);
   check_floor(table, field.marginal, layers);
-  return {"cohesion", field};
+  const std::string measurements = table.has("measurements") ? table.text("measurements") : "";
+  if (table.has("measurements") && measurements.empty()) table.fail("measurements", "wants the name of a file");
+  return {"cohesion", field, measurements};
 }
 
 std::vector<FieldSpec> read_fields(const TomlTable& table, const Slope& slope, const std::vector<Layer>& layers) {

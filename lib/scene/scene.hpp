@@ -41,8 +41,9 @@ struct Discretization {
 
 /// [field.<parameter>]: a random field in place of a layer parameter that is the same everywhere.
 struct FieldSpec {
-  std::string parameter;  // "cohesion": the peak cohesion
-  FieldModel model;       // its mesh covers the box of the slope from the origin
+  std::string parameter;     // "cohesion": the peak cohesion
+  FieldModel model;          // its mesh covers the box of the slope from the origin
+  std::string measurements;  // path of a table that samples honour, from the scene's folder; empty: none
 };
 
 /// Thresholds of what is measured on the final state.
