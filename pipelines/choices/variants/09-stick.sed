@@ -1,0 +1,3 @@
+s/^step = .*/step = "3e-3 s"/
+s/^contact = .*/contact = "stick"/
+/^friction = /d
