@@ -17,7 +17,7 @@
 #   fields/K.h5 points/K.h5   realizations K to K+49: rfgen's and rfmap's files. Batches are always full, so that a greater N
 #                             changes none of them
 #   rows/K.tsv                realization K: mpmrun's row; 0 is the deterministic run
-#   rows.tsv                  all rows, and from them statistics.tsv, classes.tsv, curve.tsv
+#   rows.tsv                  all rows, and from them statistics.tsv, classes.tsv, curve.tsv, and trace.tsv, histogram.tsv, densities.tsv
 #   structures.tsv            the classes of the structures listed in STRUCTURES
 #   shown/                    realization SHOWN in full: material points, ground surface, state for ParaView
 #   *.png *.svg, summary.txt
@@ -74,8 +74,9 @@ random_rows := $(foreach pair,$(numbered),$(call row_of,$(pair)))
 rows := $(if $(is_random),$(OUT)/rows/000000.tsv $(random_rows))
 shown := $(addprefix $(OUT)/shown/,row.tsv points.tsv surface.tsv state.hdf)
 shown_points := $(if $(is_random),$(shell printf '$(OUT)/points/%06d.h5' $$(($(SHOWN) - ($(SHOWN) - 1) % $(batch_size)))))
-tables := $(if $(is_random),$(addprefix $(OUT)/,statistics.tsv classes.tsv curve.tsv $(if $(STRUCTURES),structures.tsv)))
-pictures := $(OUT)/slope.png $(if $(is_random),$(OUT)/exceedance.png $(OUT)/zones.png)
+series := trace.tsv histogram.tsv densities.tsv
+tables := $(if $(is_random),$(addprefix $(OUT)/,statistics.tsv $(series) classes.tsv curve.tsv $(if $(STRUCTURES),structures.tsv)))
+pictures := $(OUT)/slope.png $(if $(is_random),$(addprefix $(OUT)/,exceedance.png zones.png trace.png distribution.png))
 
 TARGETS ?= mean=0.2
 LEAST ?= 100
@@ -152,6 +153,9 @@ $(shown) &: $(made_by) $(shown_points) | $(OUT)/shown
 $(OUT)/statistics.tsv: $(OUT)/rows.tsv $(wildcard $(TOOLS)/mcstats)
 	$(Q)mcstats $< -o $@
 
+$(addprefix $(OUT)/,$(series)): $(OUT)/%.tsv: $(OUT)/rows.tsv $(wildcard $(TOOLS)/mcstats)
+	$(Q)mcstats $< --$* -o $@
+
 $(OUT)/classes.tsv: $(OUT)/rows.tsv $(wildcard $(TOOLS)/zoning)
 	$(Q)zoning $< --classes -o $@
 
@@ -174,9 +178,15 @@ $(OUT)/exceedance.png $(OUT)/exceedance.svg &: $(OUT)/curve.tsv $(here)plots/exc
 $(OUT)/zones.png $(OUT)/zones.svg &: $(OUT)/classes.tsv $(filter %/structures.tsv,$(tables)) $(shown) $(here)plots/zones.gp
 	$(plot) $(OUT)/classes.tsv $(OUT)/shown/surface.tsv $(SHOWN) $(filter %/structures.tsv,$^)
 
+$(OUT)/trace.png $(OUT)/trace.svg &: $(OUT)/trace.tsv $(here)plots/trace.gp
+	$(plot) $(OUT)/trace.tsv
+
+$(OUT)/distribution.png $(OUT)/distribution.svg &: $(OUT)/histogram.tsv $(OUT)/densities.tsv $(here)plots/distribution.gp
+	$(plot) $(OUT)/histogram.tsv $(OUT)/densities.tsv
+
 result_rows := $(if $(is_random),$(OUT)/rows.tsv,$(OUT)/shown/row.tsv)
 shown_out := $(patsubst $(abspath $(here)..)/%,%,$(abspath $(OUT)))
 
 $(OUT)/summary.txt: $(result_rows) $(tables) $(pictures) $(here)summary
 	@$(here)summary -v title='$(subst ','"'"',$(call scene_value,scene.get("title", "$(SCENE)")))' -v out=$(shown_out) \
-	  $(result_rows) $(filter-out %/curve.tsv,$(tables)) >$@
+	  $(result_rows) $(filter-out $(addprefix $(OUT)/,curve.tsv $(series)),$(tables)) >$@

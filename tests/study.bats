@@ -46,12 +46,13 @@ sums() { (cd "$1" && find . -name '*.tsv' -o -name '*.h5' -o -name '*.hdf' | sor
   assert_equal "$(samples_run)" "1 2 3 4"
   local table
   for table in rows/000003.tsv:row rows.tsv:row statistics.tsv:statistics classes.tsv:classes curve.tsv:curve structures.tsv:structures \
+    trace.tsv:trace histogram.tsv:histogram densities.tsv:densities \
     shown/row.tsv:row shown/points.tsv:table shown/surface.tsv:profile shown/state.hdf:state fields/000001.h5:fields points/000001.h5:points; do
     assert_schema "${table#*:}" "$study/out/${table%:*}"
   done
   assert_equal "$(grep -c '^[0-9]' "$study/out/rows.tsv")" 5
   local picture
-  for picture in slope exceedance zones; do
+  for picture in slope exceedance zones trace distribution; do
     assert_equal "$(head -c 8 "$study/out/$picture.png" | od -An -tx1 | xargs)" "89 50 4e 47 0d 0a 1a 0a"
     run grep -c '</svg>' "$study/out/$picture.svg"
     assert_output 1

@@ -48,7 +48,7 @@ static RoundStep bin_width(std::span<const double> ascending) {
   const double width = 2 * spread / std::cbrt(static_cast<double>(ascending.size()));
   const double range = ascending.back() - ascending.front();
   const double wanted = width > 0 ? std::max(width, range / 500) : range / 10;  // half of the values may be equal
-  return round_step(wanted > 0 ? wanted : 1);
+  return round_step(wanted > 0 ? 1.5 * wanted : 1);
 }
 
 static void add_histogram(Table& table, const Reach& reach) {

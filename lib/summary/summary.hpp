@@ -28,8 +28,8 @@ Table statistics_table(std::span<const Row> rows, const Ensemble& ensemble, cons
 /// running kurtosis: s exp(+- z / 2 sqrt((b_2 - (n - 3) / (n - 1)) / n)).
 Table trace_table(const Ensemble& ensemble);
 
-/// Counts and densities of the runs that slid, in bins of Freedman and Diaconis (1981): 2 (q75 - q25) n^(-1/3), rounded down to 1, 2 or
-/// 5 times a power of ten.
+/// Counts and densities of the runs that slid, in bins of Freedman and Diaconis (1981): 2 (q75 - q25) n^(-1/3), rounded to 1, 2 or 5
+/// times a power of ten.
 Table histogram_table(const Ensemble& ensemble);
 
 /// Cumulative share of the runs that slid, and density and cumulative of every fit, at 401 places over their range and a quarter of it
