@@ -166,7 +166,7 @@ END
 # ---- the benchmark ----
 
 @test "the benchmark gives the runout of its calibrated settings and closes its energy" {
-  # The scene's step divided by 5 in number: R changes by less than 2 % (18.08 m at 7.5e-4 s, 18.41 m at 3.7e-3 s).
+  # The scene's step divided by 5 in number: R changes by less than 2 % (18.22 m at 7.5e-4 s, 18.29 m at 3.7e-3 s).
   sed 's/^step = .*/step = "3.7e-3 s"/' "$TOP/pipelines/benchmark/scene.toml" >benchmark.toml
   mpmrun benchmark.toml -o row.tsv
   assert_equal "$(tsv_value status <row.tsv)" slid

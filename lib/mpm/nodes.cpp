@@ -146,7 +146,9 @@ static double touch_base(Nodes& nodes, const NodeBox& box, const NodeSettings& s
     hold_at_base(velocity, settings.boundaries.base);
     if (settings.boundaries.base != BaseContact::stick)
       velocity.x = rubbed(free.x, std::max(0.0, -free.y), settings.boundaries.base_friction);
-    work += nodes.mass[node] * (free.x - velocity.x) * velocity.x;
+    const double before = free.x - nodes.change[2 * node];
+    const double arrested = velocity.x == 0 ? 0.5 * before * before : 0;
+    work += nodes.mass[node] * ((free.x - velocity.x) * velocity.x + arrested);
     nodes.change[2 * node] += velocity.x - free.x;
     nodes.change[2 * node + 1] += velocity.y - free.y;
   });
@@ -257,7 +259,12 @@ void update_new_velocities(Nodes& nodes, const NodeBox& box, const NodeSettings&
   };
   for_nodes_left(nodes, box, hold(settings.boundaries.left));
   for_nodes_right(nodes, box, settings.grid, hold(settings.boundaries.right));
-  for_nodes_on_base(nodes, box, [&](std::size_t node) { hold_at_base(velocity_of(nodes.new_velocity, node), settings.boundaries.base); });
+  for_nodes_on_base(nodes, box, [&](std::size_t node) {
+    const NodeVelocity velocity = velocity_of(nodes.new_velocity, node);
+    hold_at_base(velocity, settings.boundaries.base);
+    const bool is_held_by_friction = nodes.velocity[2 * node] == 0;
+    if (is_held_by_friction) velocity.x = 0;
+  });
   for_each_image(nodes, box, settings,
                  [&](std::size_t behind, std::size_t before, Mirror mirror) { reflect_pairs(nodes.new_velocity, behind, before, mirror); });
 }

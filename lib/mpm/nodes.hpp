@@ -61,7 +61,7 @@ void fold_mass(Nodes& nodes, const NodeBox& box, const NodeSettings& settings);
 /// or the base forbids is taken away, and the base takes the friction impulse, at most mu times the normal impulse
 /// max(0, -m v_y) of the unhindered motion (Coulomb; once per step).
 /// Friction's work is the impulse times the velocity that is left: with the mean of before and after, soil at rest would
-/// seem to heat the base.
+/// seem to heat the base. A node that friction stops gives up the kinetic energy that it came with as well.
 /// A two-body base acts on the nodes that `contact` names, along its normals.
 /// After fold_mass.
 NodeEnergies update_velocities(Nodes& nodes, const NodeBox& box, Vec2 gravity, const NodeSettings& settings, const ContactNormals& contact);
@@ -69,8 +69,9 @@ NodeEnergies update_velocities(Nodes& nodes, const NodeBox& box, Vec2 gravity, c
 /// new_velocity = velocity: the velocities that moved the points (USL), or the momenta of the points before forces act (USF).
 void copy_velocities(Nodes& nodes, const NodeBox& box);
 
-/// new_velocity = momentum / mass, without what walls and base forbid; friction acted in update_velocities already, and so did
-/// all of a two-body base. After fold_mass.
+/// new_velocity = momentum / mass, without what walls and base forbid. Friction acted in update_velocities already, and so did
+/// all of a two-body base; what friction stopped there stays stopped: else the soil would be strained by a slip that does not
+/// happen, and stiff soil at rest on a rough base would begin to shake. After fold_mass.
 void update_new_velocities(Nodes& nodes, const NodeBox& box, const NodeSettings& settings);
 
 }  // namespace slidezone
