@@ -116,6 +116,31 @@ h5_numbers() { h5dump -A 0 -y -w 1 -m %.17g -d "$2" "${@:3}" "$1" | sed -n 's/^ 
   assert_output "$(h5_numbers points.h5 /x | wc -l) 0"
 }
 
+@test "with linear interpolation a point takes a value between the centres of cells" {
+  # Points every 0.2 m, at 0.1 m and so on: on corners of cells of 0.1 m, each the mean of four cells.
+  sed 's/^cell = "0.1 m"/&\ninterpolation = "linear"/' "$scene" >linear.toml
+  rfmap linear.toml "$fields" -o points.h5
+  h5_numbers "$fields" /cohesion -s 1,0,0 -c 1,50,250 >field
+  paste <(h5_numbers points.h5 /x) <(h5_numbers points.h5 /y) <(h5_numbers points.h5 /cohesion -s 1,0 -c 1,2800) >points
+  run awk 'NR == FNR { field[NR - 1] = $1; next }
+    { cell = int($2 / 0.1 - 0.5) * 250 + int($1 / 0.1 - 0.5)
+      mean = (field[cell] + field[cell + 1] + field[cell + 250] + field[cell + 251]) / 4
+      if ($3 - mean > 1e-6 || mean - $3 > 1e-6) ++wrong; ++points }
+    END { print points, wrong + 0 }' field points
+  assert_output "2800 0"
+}
+
+@test "cells longer than half a scale of fluctuation get a warning" {
+  run --separate-stderr bash -c "rfmap '$scene' '$fields' | cksum"
+  assert_equal "$stderr" ""
+  sed 's/^cell = "0.1 m"/cell = ["0.1 m", "0.6 m"]/' "$scene" >coarse.toml
+  rfgen coarse.toml -n 1 -o coarse.h5
+  run rfmap coarse.toml coarse.h5 -o points.h5
+  assert_success
+  assert_output --partial "rfmap: warning: the cells of the field, 0.1 m x 0.6 m, are longer than half its scales of fluctuation, 1 m and 1 m"
+  assert_schema points points.h5
+}
+
 @test "points stand at the residual strength of their own soil, and are counted" {
   cat >layers.toml <<END
 $(sed '/^\[\[soil\]\]/,/^$/d' "$scene")

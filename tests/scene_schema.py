@@ -194,6 +194,7 @@ BAD = [
     ("measured", '"14 kPa"', "@14", "'data' wants a text with its unit, found 14"),
     ("measured", 'marginal = "empirical"', 'marginal = "empirical"\nmean = @"20 kPa"', "'mean' has no meaning with marginal = \"empirical\""),
     ("measured", 'marginal = "empirical"', 'marginal = "empirical"\ncov = @0.3', "'cov' has no meaning with marginal = \"empirical\""),
+    ("measured", '"linear"', '@"cubic"', "'interpolation' wants cell or linear, found \"cubic\""),
     ("measured", '"borings.tsv"', '@""', "'measurements' wants the name of a file"),
     ("measured", '"borings.tsv"', "@5", "'measurements' wants a text in quotes, found 5"),
     ("measured", '"physical"', '@"real"', "'correlation_of' wants Gaussian or physical, found \"real\""),

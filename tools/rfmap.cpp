@@ -4,7 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/error.hpp"
@@ -26,9 +28,10 @@ struct Options {
 };
 
 const char* const manual =
-    R"(Values of random field samples at the scene's material points: the value of the field's cell that contains each point.
+    R"(Values of random field samples at the scene's material points: the value of the field's cell that contains each point,
+or with interpolation = "linear" in the scene a value linear between the centres of cells.
 
-A value below the residual cohesion of the point's own soil is raised to it; "floored" counts the points of each sample that stand
+Cells longer than half a scale of fluctuation get a warning. A value below the residual cohesion of the point's own soil is raised to it; "floored" counts the points of each sample that stand
 at that floor, also those whose cell rfgen had raised. The fields must be of the mesh that the scene describes.
 The result is an HDF5 file; data-schemas/points.json lists what it holds.)";
 
@@ -63,16 +66,48 @@ std::vector<double> floors_of(const MaterialPoints& points, const Scene& scene) 
   return floors;
 }
 
-/// Fills `values` with the field's values at the points; returns how many stand at their floor.
-std::int64_t map(std::span<double> values, std::span<const double> field, std::span<const std::size_t> cells,
-                 std::span<const double> floors) {
+/// Takes the values of a field at the scene's points.
+class Mapping {
+ public:
+  Mapping(const FieldSpec& spec, const MaterialPoints& points) {
+    if (spec.interpolation == Interpolation::cell)
+      cells_ = containing_cells(spec.model.mesh, points.x, points.y);
+    else
+      neighbours_ = neighbours(spec.model.mesh, points.x, points.y);
+  }
+
+  void map(std::span<double> values, std::span<const double> field) const {
+    for (std::size_t p = 0; p < cells_.size(); ++p) values[p] = field[cells_[p]];
+    for (std::size_t p = 0; p < neighbours_.size(); ++p) {
+      const auto& [cells, weights] = neighbours_[p];
+      values[p] = 0;
+      for (std::size_t k = 0; k < cells.size(); ++k) values[p] += weights[k] * field[cells[k]];
+    }
+  }
+
+ private:
+  std::vector<std::size_t> cells_;  // one of the two is empty
+  std::vector<Neighbours> neighbours_;
+};
+
+/// Raises values to the floors of their points; returns how many stand there.
+std::int64_t raise_to_floors(std::span<double> values, std::span<const double> floors) {
   std::int64_t floored = 0;
-  for (std::size_t p = 0; p < cells.size(); ++p) {
-    const double value = field[cells[p]];
-    floored += value <= floors[p] ? 1 : 0;
-    values[p] = std::max(value, floors[p]);
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    floored += values[p] <= floors[p] ? 1 : 0;
+    values[p] = std::max(values[p], floors[p]);
   }
   return floored;
+}
+
+/// Cells longer than half a scale of fluctuation lose what varies between them.
+void warn_of_coarse_cells(const FieldSpec& spec) {
+  const Correlation& correlation = spec.model.correlation;
+  const FieldMesh& mesh = spec.model.mesh;
+  if (mesh.cell_x > correlation.horizontal_scale / 2 || mesh.cell_y > correlation.vertical_scale / 2)
+    warn("the cells of the field, " + format_brief(mesh.cell_x) + " m x " + format_brief(mesh.cell_y) +
+         " m, are longer than half its scales of fluctuation, " + format_brief(correlation.horizontal_scale) + " m and " +
+         format_brief(correlation.vertical_scale) + " m; a finer mesh would resolve them");
 }
 
 void run(const Options& options) {
@@ -82,16 +117,13 @@ void run(const Options& options) {
   const std::string image = read_input(options.fields);
   const Hdf5Reader fields(image, input_name(options.fields), "slidezone-fields 1");
   const std::vector<std::int64_t> realizations = fields.integers("realization");
-  const FieldMesh mesh = mesh_of(fields, spec.parameter, realizations.size());
-  check_mesh(mesh, spec.model.mesh, fields, scene);
+  check_mesh(mesh_of(fields, spec.parameter, realizations.size()), spec.model.mesh, fields, scene);
+  warn_of_coarse_cells(spec);
 
   const MaterialPoints points = material_points(scene);
-  const std::vector<std::size_t> cells = containing_cells(mesh, points.x, points.y);
+  const Mapping mapping(spec, points);
   const std::vector<double> floors = floors_of(points, scene);
-  std::vector<double> values(realizations.size() * cells.size());
-  std::vector<std::int64_t> floored;
-  for (std::size_t k = 0; k < realizations.size(); ++k)
-    floored.push_back(map(std::span(values).subspan(k * cells.size(), cells.size()), fields.reals(spec.parameter, k), cells, floors));
+  std::vector<std::int64_t> floored(realizations.size());
 
   Hdf5Writer file;
   Provenance origin = provenance("slidezone-points 1", "rfmap");
@@ -100,10 +132,16 @@ void run(const Options& options) {
   file.dataset("realization", realizations);
   file.dataset("x", points.x, {points.x.size()});
   file.dataset("y", points.y, {points.y.size()});
-  file.dataset(spec.parameter, values, {realizations.size(), cells.size()});
+  file.dataset_later(spec.parameter, {realizations.size(), points.x.size()}, [&](std::size_t sample, std::span<double> values) {
+    mapping.map(values, fields.reals(spec.parameter, sample));
+    floored[sample] = raise_to_floors(values, floors);
+  });
   file.attribute(spec.parameter, "unit", fields.text_attribute(spec.parameter, "unit"));
-  file.dataset("floored", floored);
-  write_output(options.output, file.image());
+  file.dataset_later("floored", floored.size(),
+                     [&](std::size_t, std::span<std::int64_t> values) { std::ranges::copy(floored, values.begin()); });
+  OutputFile output(options.output);
+  file.write([&](std::string_view bytes) { output.write(bytes); });
+  output.finish();
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // Values lie row by row from the base up: index j cells_x + i. Lengths in metres.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -24,5 +25,14 @@ struct FieldMesh {
 /// Index of the cell that contains each point; the far edges belong to the last cells.
 /// Throws ExitCode::data for a point outside the mesh, with its number (counted from 1) and coordinates.
 std::vector<std::size_t> containing_cells(const FieldMesh& mesh, std::span<const double> x, std::span<const double> y);
+
+/// Four cells whose centres surround a point, and their shares in a value that is linear between them.
+struct Neighbours {
+  std::array<std::size_t, 4> cells;
+  std::array<double, 4> weights;  // their sum is 1
+};
+
+/// For each point; beyond the outermost centres the value stays that at the nearest place between them. Throws as above.
+std::vector<Neighbours> neighbours(const FieldMesh& mesh, std::span<const double> x, std::span<const double> y);
 
 }  // namespace slidezone

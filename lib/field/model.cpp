@@ -35,6 +35,11 @@ const std::vector<std::string>& average_names() {
   return names;
 }
 
+const std::vector<std::string>& interpolation_names() {
+  static const std::vector<std::string> names = {"cell", "linear"};
+  return names;
+}
+
 const std::vector<std::string>& method_names() {
   static const std::vector<std::string> names = {"auto", "separable", "circulant", "Cholesky", "Karhunen-Loeve"};
   return names;

@@ -55,6 +55,12 @@ enum class CorrelationOf { gaussian, physical };
 /// What a cell's number stands for: the Gaussian field at the cell's centre, or its average over the cell.
 enum class Average { point, cell };
 
+/// How points off the centres of cells get their values.
+enum class Interpolation {
+  cell,    // that of the cell which contains the point
+  linear,  // linear between the centres of the four nearest cells, constant beyond the outermost centres
+};
+
 /// How Gaussian fields are made; field/gaussian_field.hpp says what each can do.
 enum class Method { automatic, separable, circulant, cholesky, karhunen_loeve };
 
@@ -74,6 +80,7 @@ const std::vector<std::string>& lag_shape_names();
 const std::vector<std::string>& distribution_names();
 const std::vector<std::string>& correlation_of_names();
 const std::vector<std::string>& average_names();
+const std::vector<std::string>& interpolation_names();
 const std::vector<std::string>& method_names();
 
 }  // namespace slidezone

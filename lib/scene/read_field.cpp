@@ -90,8 +90,26 @@ static void check_floor(const TomlTable& table, const Marginal& marginal, const 
 }
 
 static FieldSpec read_cohesion(const TomlTable& table, const Slope& slope, const std::vector<Layer>& layers) {
-  table.check_keys({"mean", "cov", "marginal", "low", "high", "data", "autocorrelation", "smoothness", "horizontal_scale", "vertical_scale",
-                    "lag", "bedding_angle", "nugget", "correlation_of", "average", "method", "variance_kept", "cell", "measurements"});
+  table.check_keys({"mean",
+                    "cov",
+                    "marginal",
+                    "low",
+                    "high",
+                    "data",
+                    "autocorrelation",
+                    "smoothness",
+                    "horizontal_scale",
+                    "vertical_scale",
+                    "lag",
+                    "bedding_angle",
+                    "nugget",
+                    "correlation_of",
+                    "average",
+                    "method",
+                    "variance_kept",
+                    "cell",
+                    "interpolation",
+                    "measurements"});
   FieldModel field;
   field.marginal = read_marginal(table);
   field.correlation = read_correlation(table);
@@ -105,7 +123,7 @@ static FieldSpec read_cohesion(const TomlTable& table, const Slope& slope, const
   check_floor(table, field.marginal, layers);
   const std::string measurements = table.has("measurements") ? table.text("measurements") : "";
   if (table.has("measurements") && measurements.empty()) table.fail("measurements", "wants the name of a file");
-  return {"cohesion", field, measurements};
+  return {"cohesion", field, named_or(table, "interpolation", interpolation_names(), Interpolation::cell), measurements};
 }
 
 std::vector<FieldSpec> read_fields(const TomlTable& table, const Slope& slope, const std::vector<Layer>& layers) {

@@ -43,6 +43,7 @@ struct Discretization {
 struct FieldSpec {
   std::string parameter;     // "cohesion": the peak cohesion
   FieldModel model;          // its mesh covers the box of the slope from the origin
+  Interpolation interpolation = Interpolation::cell;
   std::string measurements;  // path of a table that samples honour, from the scene's folder; empty: none
 };
 

@@ -671,6 +671,24 @@ TEST(FieldMesh, FindsTheCellOfEachPoint) {
   EXPECT_EQ(containing_cells(mesh, x, y), (std::vector<std::size_t>{0, 4, 1, 11, 11, 10}));
 }
 
+TEST(FieldMesh, InterpolatesLinearFieldsExactly) {
+  const FieldMesh mesh{0.5, 0.25, 4, 3};
+  const auto plane = [](Vec2 at) { return 3 + 2 * at.x - 5 * at.y; };
+  std::vector<double> field;
+  for (std::size_t cell = 0; cell < mesh.size(); ++cell)
+    field.push_back(plane({(static_cast<double>(cell % 4) + 0.5) * 0.5, (static_cast<double>(cell / 4) + 0.5) * 0.25}));
+  const std::vector<double> x = {0.25, 0.3, 1.0, 1.75, 0.1, 2.0};
+  const std::vector<double> y = {0.125, 0.5, 0.2, 0.625, 0.3, 0.75};
+  const Vec2 at[] = {{0.25, 0.125}, {0.3, 0.5}, {1.0, 0.2}, {1.75, 0.625}, {0.25, 0.3}, {1.75, 0.625}};  // held at the outermost centres
+  const std::vector<Neighbours> all = neighbours(mesh, x, y);
+  for (std::size_t p = 0; p < x.size(); ++p) {
+    double value = 0;
+    for (std::size_t k = 0; k < 4; ++k) value += all[p].weights[k] * field.at(all[p].cells[k]);
+    EXPECT_NEAR(value, plane(at[p]), 1e-14) << p;
+  }
+  EXPECT_THROW(neighbours(mesh, std::vector{2.1}, std::vector{0.1}), Error);
+}
+
 TEST(FieldMesh, NamesAPointOutside) {
   const FieldMesh mesh{0.5, 0.25, 4, 3};
   for (const Vec2 wrong : {Vec2{2.25, 0.5}, Vec2{-1e-9, 0}, Vec2{1, 0.76}, Vec2{std::numeric_limits<double>::quiet_NaN(), 0}})
