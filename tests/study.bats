@@ -59,6 +59,13 @@ sums() { (cd "$1" && find . -name '*.tsv' -o -name '*.h5' -o -name '*.hdf' | sor
   done
 }
 
+@test "the lists of structures that stand beside shipped scenes obey their schema" {
+  local list
+  for list in "$TOP"/pipelines/*/structures.tsv; do
+    assert_schema structures-input "$list"
+  done
+}
+
 @test "a greater N runs only the new realizations, a smaller one none" {
   run_study tables N=3
   assert_success
