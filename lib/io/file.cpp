@@ -122,8 +122,8 @@ std::string read_input(const std::string& path) {
   if (!file.is_open()) fail_with_reason(ExitCode::no_input, path, "cannot be opened");
   struct stat status {};
   std::string bytes;
-  if (::fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode)) bytes.reserve(static_cast<std::size_t>(status.st_size) + 1);
   constexpr std::size_t chunk = 1 << 16;
+  if (::fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode)) bytes.reserve(static_cast<std::size_t>(status.st_size) + chunk);
   std::size_t size = 0;
   for (;;) {
     bytes.resize(std::max(bytes.capacity(), size + chunk));

@@ -40,7 +40,8 @@ class Hdf5Writer {
   void dataset(const std::string& path, std::span<const std::uint8_t> values);
 
   /// The same, made later: while the file is written, `fill` is called once for each slice of the first dimension, with its
-  /// number and the span to fill; for one dimension once, with the whole. One chunk a slice. Datasets are filled in the order of these calls.
+  /// number and the span to fill; for one dimension once, with the whole. One chunk a slice. Datasets are filled in the order of these
+  /// calls.
   void dataset_later(const std::string& path, const std::vector<std::size_t>& shape,
                      std::function<void(std::size_t, std::span<double>)> fill);
   void dataset_later(const std::string& path, std::size_t count, std::function<void(std::size_t, std::span<std::int64_t>)> fill);
@@ -61,7 +62,7 @@ class Hdf5Writer {
 
 class Hdf5Reader {
  public:
-  /// `name` is the file's name in messages. The schema attribute is checked first.
+  /// `name` is the file's name in messages. The schema attribute is checked first. The image must outlive the reader.
   Hdf5Reader(std::string_view image, const std::string& name, std::string_view schema);
   ~Hdf5Reader();
   Hdf5Reader(const Hdf5Reader&) = delete;

@@ -244,7 +244,8 @@ std::string sample_image() {
 }
 
 TEST(Hdf5, ReadsBackWhatWasWritten) {
-  const Hdf5Reader reader(sample_image(), "f.h5", "s 1");
+  const std::string image = sample_image();
+  const Hdf5Reader reader(image, "f.h5", "s 1");
   EXPECT_EQ(reader.text_attribute("g", "unit"), "Pa");
   EXPECT_EQ(reader.shape("g/v"), (std::vector<std::size_t>{2, 300}));
   EXPECT_EQ(reader.reals("g/v")[301], 301.0 / 7);
@@ -299,8 +300,9 @@ TEST(Hdf5, NoticesCorruptionInSlicesMadeLater) {
 }
 
 TEST(Hdf5, HoldsSeveralFilesOpenAtOnce) {
-  const Hdf5Reader first(sample_image(), "f.h5", "s 1");
-  const Hdf5Reader second(sample_image(), "f.h5", "s 1");
+  const std::string image = sample_image();
+  const Hdf5Reader first(image, "f.h5", "s 1");
+  const Hdf5Reader second(image, "f.h5", "s 1");
   EXPECT_EQ(first.reals("g/v"), second.reals("g/v"));
   EXPECT_EQ(sample_image(), sample_image());
 }
