@@ -98,15 +98,9 @@ void run(const Options& options) {
   write_output(options.output, to_tsv(table, origin));
 }
 
-/// The rule as text must be one that parse_stop_rule() takes.
 CLI::Validator stop_rule() {
-  return CLI::Validator(
-      [](std::string& text) -> std::string {
-        if (parse_stop_rule(text)) return {};
-        return "found '" + text +
-               "', expected paper, mean=W, sd=W, quantile_P=W or exceeds_X=W, e.g. mean=0.2 or runout_m:quantile_0.9=0.5";
-      },
-      "");
+  return text_that([](const std::string& text) { return parse_stop_rule(text).has_value(); },
+                   "paper, mean=W, sd=W, quantile_P=W or exceeds_X=W, e.g. mean=0.2 or runout_m:quantile_0.9=0.5");
 }
 
 void add_kinds(CLI::App& app, Options& options) {

@@ -81,26 +81,15 @@ Band band_of(const std::string& name) {
   return static_cast<Band>(std::find(band_names.begin(), band_names.end(), name) - band_names.begin());
 }
 
-/// A boundary beyond which less than one run is expected is the largest value seen, not an estimate.
-void note_thin_tail(const NamedEnsemble& study, const ZoneOptions& options) {
-  const std::size_t runs = study.ensemble.failure.size();
-  for (const double p : options.classes.thresholds) {
-    if (static_cast<double>(runs) * p < 1)
-      note(std::to_string(runs) + " runs cannot tell where the probability falls to " + format_real(100 * p) +
-           " %: the distance given is the farthest run's");
-  }
-}
-
-void tell_tails(Provenance& origin, const NamedEnsemble& study, const ZoneOptions& options) {
+/// The boundaries' notes; with tails, how each was fitted, for the result's provenance.
+void tell_boundaries(Provenance& origin, const NamedEnsemble& study, const ZoneOptions& zones) {
+  for (const std::string& text : thin_boundaries(study, zones)) note(text);
+  if (!zones.has_tails) return;
   for (const Reach* reach : {&study.ensemble.influence, &study.ensemble.runout}) {
     const std::string of = (study.name.empty() ? "" : study.name + " ") + reach->quantity;
-    const std::optional<TailFit> fit = tail_of(*reach, options);
+    const std::optional<TailFit> fit = tail_of(*reach, zones);
     if (!fit) warn("no tail fitted to " + of + ": too few runs, or some left the grid or diverged; boundaries are of order statistics");
-    const std::string words = fit ? "threshold " + format_real(fit->threshold) + " m, exceedances " + std::to_string(fit->exceedances) +
-                                        ", scale " + format_brief(fit->scale, 6) + " m, shape " + format_brief(fit->shape, 6) +
-                                        ", distance " + format_brief(fit->distance, 4)
-                                  : "none";
-    origin.details.emplace_back("tail of " + of, words);
+    origin.details.emplace_back("tail of " + of, fit ? words_on(*fit) : "none");
   }
 }
 
@@ -166,8 +155,7 @@ void run(const Options& options) {
   Provenance origin = provenance("slidezone-" + kind + (options.studies.empty() ? "" : "-of-studies") + " 1", "zoning");
   const std::vector<NamedEnsemble> studies = read_studies(options, origin);
   for (const NamedEnsemble& study : studies) {
-    if (has_boundaries && !zones.has_tails) note_thin_tail(study, zones);
-    if (has_boundaries && zones.has_tails) tell_tails(origin, study, zones);
+    if (has_boundaries) tell_boundaries(origin, study, zones);
   }
   if (kind == "map") {
     write_output(options.output, map_of(studies.front(), zones, options, origin));
@@ -176,41 +164,20 @@ void run(const Options& options) {
   }
 }
 
-/// NAME=FILE, the name a word of its own.
-CLI::Validator named_file() {
-  return CLI::Validator(
-      [](std::string& text) -> std::string {
-        const std::size_t equals = text.find('=');
-        const bool is_good = equals != std::string::npos && equals > 0 && equals + 1 < text.size() && text.find_first_of(" \t:") > equals &&
-                             text.substr(0, equals) != "worst_case";
-        return is_good ? "" : "found '" + text + "', expected NAME=FILE, the name without blanks and colons, and other than worst_case";
-      },
-      "");
+bool is_word(const std::string& text) { return !text.empty() && text.find_first_of(" \t\n:") == std::string::npos; }
+
+bool is_named_file(const std::string& text) {
+  const std::string name = text.substr(0, text.find('='));
+  return is_word(name) && name != "worst_case" && name.size() + 1 < text.size();
 }
 
-CLI::Validator word() {
-  return CLI::Validator(
-      [](std::string& text) -> std::string {
-        return text.empty() || text.find_first_of(" \t\n") != std::string::npos ? "found '" + text + "', expected a name without blanks"
-                                                                                : "";
-      },
-      "");
-}
-
-CLI::Validator band_name() {
-  return CLI::Validator(
-      [](std::string& text) -> std::string {
-        if (std::find(band_names.begin(), band_names.end(), text) != band_names.end()) return {};
-        return "found '" + text + "', expected " + list_of(band_names) + nearest_hint(text, band_names);
-      },
-      "");
-}
+bool is_band(const std::string& text) { return std::find(band_names.begin(), band_names.end(), text) != band_names.end(); }
 
 void add_options(CLI::App& app, Options& options) {
   auto* rows = app.add_option("ROWS", options.rows, "Tables of rows, one or several; - is stdin")->capture_default_str();
   auto* studies = app.add_option("--study", options.studies, "A study's name and its rows; once for each of several studies")
                       ->allow_extra_args(false)
-                      ->check(named_file())
+                      ->check(text_that(is_named_file, "NAME=FILE, the name without blanks and colons, and other than worst_case"))
                       ->type_name("NAME=ROWS")
                       ->excludes(rows);
   auto* classes = app.add_flag("--classes", options.wants_classes, "Boundaries of the classes (the default)");
@@ -232,11 +199,11 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--class-names", options.names, "Names of the classes, one more than thresholds, with commas between")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(word())
+      ->check(text_that(is_word, "a name without blanks and colons"))
       ->type_name("NAME,...")
       ->capture_default_str();
   app.add_option("--band", options.band, "Band of probabilities: " + list_of(band_names))
-      ->check(band_name())
+      ->check(text_that(is_band, list_of(band_names)))
       ->type_name("BAND")
       ->capture_default_str();
   app.add_flag("--tail", options.has_tails, "Far boundaries by a generalized Pareto tail");

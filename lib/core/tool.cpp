@@ -102,4 +102,9 @@ CLI::Validator real_number(double least, double most) {
       "");
 }
 
+CLI::Validator text_that(const std::function<bool(const std::string&)>& is_good, const std::string& expected) {
+  return CLI::Validator([=](std::string& text) -> std::string { return is_good(text) ? "" : "found '" + text + "', expected " + expected; },
+                        "");
+}
+
 }  // namespace slidezone

@@ -34,4 +34,7 @@ void warn(const std::string& message);
 CLI::Validator whole_number(std::uint64_t least, std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 CLI::Validator real_number(double least, double most);
 
+/// A text for which `is_good` holds; `expected` says in words which that is.
+CLI::Validator text_that(const std::function<bool(const std::string&)>& is_good, const std::string& expected);
+
 }  // namespace slidezone

@@ -101,6 +101,23 @@ std::optional<TailFit> tail_of(const Reach& reach, const ZoneOptions& options) {
   return tail_fit(known_values(reach.sample));
 }
 
+std::string words_on(const TailFit& fit) {
+  return "threshold " + format_real(fit.threshold) + " m, exceedances " + std::to_string(fit.exceedances) + ", scale " +
+         format_brief(fit.scale, 6) + " m, shape " + format_brief(fit.shape, 6) + ", distance " + format_brief(fit.distance, 4);
+}
+
+std::vector<std::string> thin_boundaries(const NamedEnsemble& study, const ZoneOptions& options) {
+  std::vector<std::string> notes;
+  if (options.has_tails) return notes;
+  const std::size_t runs = study.ensemble.failure.size();
+  for (const double p : options.classes.thresholds) {
+    if (static_cast<double>(runs) * p < 1)
+      notes.push_back(std::to_string(runs) + " runs cannot tell where the probability falls to " + format_real(100 * p) +
+                      " %: the distance given is the farthest run's");
+  }
+  return notes;
+}
+
 static Lines class_lines(const NamedEnsemble& study, const ZoneOptions& options) {
   Lines lines;
   for (const Reach* reach : {&study.ensemble.influence, &study.ensemble.runout}) {

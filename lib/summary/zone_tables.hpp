@@ -37,6 +37,12 @@ std::vector<Structure> parse_structures(std::string_view bytes, const std::strin
 /// The tail of a reach, if asked for and there is one: nothing where runs are censored or diverged, or too few.
 std::optional<TailFit> tail_of(const Reach& reach, const ZoneOptions& options);
 
+/// Threshold, exceedances, scale, shape and distance of a fit in a line.
+std::string words_on(const TailFit& fit);
+
+/// Notes on boundaries beyond which less than one run is expected: without a tail, the largest value seen stands in their place.
+std::vector<std::string> thin_boundaries(const NamedEnsemble& study, const ZoneOptions& options);
+
 /// [study] quantity class probability distance_m ci_low_m ci_high_m
 Table class_table(std::span<const NamedEnsemble> studies, const ZoneOptions& options);
 
