@@ -42,8 +42,9 @@ const char* const manual =
     R"(Samples of a scene's random field [field.cohesion], one value per cell of the field's mesh.
 
 Samples are numbered from 1. Sample K depends on the scene's field, the seed and K alone: it is the same whenever, wherever and with
-whatever other samples it is drawn. The scene chooses autocorrelation and method; --explain says what that comes to. Where the scene names a table
-of measurements, every sample honours them. Values below the least residual cohesion of the scene's soils are raised to it and counted.
+whatever other samples it is drawn. The scene chooses autocorrelation, marginal distribution and method; --explain says what that comes
+to. Where the scene names a table of measurements (data-schemas/measurements.json), every sample honours them. Values below the least
+residual cohesion of the scene's soils are raised to it and counted.
 The result is an HDF5 file; data-schemas/fields.json lists what it holds.)";
 
 /// The strength below which no soil of the scene can fall.
