@@ -47,10 +47,11 @@ do for [format in "png svg"] {
   set xrange [0:0.14]
   set yrange [3.5:5.6]
   set xtics 0.02
-  cut(points) = sprintf("< grep '\tnumber_%d_points\t' %s/vertical_cut.tsv", points, out)
+  cut(kind) = sprintf("< grep '\tnumber_%s\t' %s/vertical_cut.tsv", kind, out)
   plot 3.7805 with lines ls 10 title "limit analysis, 3.775 to 3.786", \
-    cut(2) using ($3 / 4):5 with linespoints lw 2 pt 7 lc rgb "#4575b4" title "2 x 2 points in a cell", \
-    cut(1) using ($3 / 4):5 with linespoints lw 2 pt 7 lc rgb "#d73027" title "1 point in a cell"
+    cut("2_none") using ($3 / 4):5 with linespoints lw 2 pt 7 lc rgb "#4575b4" title "2 x 2 points in a cell", \
+    cut("2_B-bar") using ($3 / 4):5 with linespoints lw 2 pt 7 lc rgb "#1a9850" title "2 x 2 points and B-bar", \
+    cut("1_none") using ($3 / 4):5 with linespoints lw 2 pt 7 lc rgb "#d73027" title "1 point in a cell"
   unset multiplot
   set output
 }
