@@ -81,6 +81,16 @@ static double frame_interval(const std::string& every) {
   throw Error(ExitCode::usage, "--every wants a time above 0, found \"" + every + "\"");
 }
 
+/// Cells without B-bar are far too stiff for soil that hardly changes its volume: a slope stands that should slide.
+static void warn_of_locking(const Scene& scene) {
+  constexpr double most = 0.45;  // pipelines/verification/README.md
+  if (scene.method.anti_locking != AntiLocking::none) return;
+  for (const Layer& layer : scene.layers)
+    if (layer.material.poisson_ratio > most)
+      warn("cells lock in soil \"" + layer.name + "\" with its Poisson's ratio of " + format_brief(layer.material.poisson_ratio) +
+           ", above " + format_brief(most) + ": write anti_locking = \"B-bar\" in [method]");
+}
+
 static void report_trouble(const Row& row, const Outcome& outcome) {
   const std::string percent = format_brief(100 * std::abs(row.energy_error), 3) + " % of the work of gravity";
   if (!outcome.trouble.empty())
@@ -94,6 +104,7 @@ static void report_trouble(const Row& row, const Outcome& outcome) {
 
 static void run(const Options& options) {
   const Scene scene = read_scene(options.scene, {.grid = true, .soil = true, .time = true});
+  warn_of_locking(scene);
   const MaterialPoints points = material_points(scene);
   std::optional<FieldSample> sample;
   std::string points_checksum;
