@@ -92,7 +92,7 @@ static void warn_of_locking(const Scene& scene) {
 }
 
 static void report_trouble(const Row& row, const Outcome& outcome) {
-  const std::string percent = format_brief(100 * std::abs(row.energy_error), 3) + " % of the work of gravity";
+  const std::string percent = format_brief(100 * std::abs(row.energy_error), 3) + " % of the work done";
   if (!outcome.trouble.empty())
     warn((outcome.ending == Ending::diverged ? "diverged: " : "left the domain: ") + outcome.trouble);
   else if (row.status == Status::diverged)
