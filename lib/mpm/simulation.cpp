@@ -127,6 +127,9 @@ std::string trouble_of(const Points& points, const GridShape& grid, std::uint64_
     if (x < 0 || x > grid.width() || y < 0 || y > grid.height())
       return name + place + " lies outside the grid of " + format_brief(grid.width()) + " x " + format_brief(grid.height()) + " m" + at;
   }
+  for (std::size_t p = 0; p < points.count(); ++p)
+    if (std::abs(points.movement[2 * p]) > grid.cell_x || std::abs(points.movement[2 * p + 1]) > grid.cell_y)
+      return "point " + std::to_string(points.label[p]) + " moved by more than a cell" + at;
   return "a point moved by more than a cell" + at;
 }
 

@@ -526,7 +526,7 @@ TEST(Guards, EndARunThatCrossesACellInAStep) {
   model.time = {.end = 1, .step = 0.03, .step_fraction = 0.5, .rest = {}};
   const Outcome outcome = simulate(model);
   EXPECT_EQ(outcome.ending, Ending::diverged);
-  EXPECT_EQ(outcome.trouble, "a point moved by more than a cell at step 1, time 0.03 s");
+  EXPECT_EQ(outcome.trouble, "point 0 moved by more than a cell at step 1, time 0.03 s");
 }
 
 TEST(Rest, EndsARunThatCameToRest) {
