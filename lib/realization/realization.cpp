@@ -100,6 +100,7 @@ static Status status_of(const Outcome& outcome, bool has_slid) {
 Row row_of(const Scene& scene, const MaterialPoints& points, const std::optional<FieldSample>& sample, const Outcome& outcome) {
   Row row;
   row.realization = sample ? sample->realization : 0;
+  row.block = row.realization;
   row.floored = sample ? sample->floored : 0;
   row.steps = outcome.steps;
   row.energy_error = outcome.energy.error();

@@ -12,8 +12,9 @@
 namespace slidezone {
 
 static const std::vector<std::string> row_columns = {
-    "realization",       "status",      "influence_m", "runout_m",     "influence_1m_m", "runout_max_m",
-    "displaced_area_m2", "rest_time_s", "steps",       "energy_error", "floored"};
+    "realization", "status", "influence_m",  "runout_m", "influence_1m_m", "runout_max_m", "displaced_area_m2",
+    "rest_time_s", "steps",  "energy_error", "floored",  "design",         "block"};
+static constexpr std::size_t required_columns = 11;  // older tables end here
 
 static const std::array<std::string, 4> status_names = {"slid", "stable", "left_domain", "diverged"};
 
@@ -22,7 +23,8 @@ std::string to_string(Status status) { return status_names[static_cast<std::size
 static std::vector<std::string> fields_of(const Row& row) {
   return {std::to_string(row.realization), to_string(row.status),         format_real(row.influence),      format_real(row.runout),
           format_real(row.influence_1m),   format_real(row.runout_max),   format_real(row.displaced_area), format_real(row.rest_time),
-          std::to_string(row.steps),       format_real(row.energy_error), std::to_string(row.floored)};
+          std::to_string(row.steps),       format_real(row.energy_error), std::to_string(row.floored),     to_string(row.design),
+          std::to_string(row.block)};
 }
 
 static Table table_of(std::span<const Row> rows) {
@@ -49,6 +51,8 @@ static void check_columns(const Table& table) {
     if (std::find(row_columns.begin(), row_columns.end(), name) == row_columns.end())
       fail_at(table.header(), "unknown column '" + name + "'" + nearest_hint(name, row_columns));
   }
+  if (table.has_column("design") != table.has_column("block"))
+    fail_at(table.header(), "found one of the columns design and block, expected both or neither");
 }
 
 static Status status_of(const Table& table, std::size_t index) {
@@ -58,6 +62,15 @@ static Status status_of(const Table& table, std::size_t index) {
     fail_at(table.where(index),
             "column 'status': found '" + name + "', expected " + list_of(status_names) + nearest_hint(name, status_names));
   return static_cast<Status>(found - status_names.begin());
+}
+
+static Design design_of(const Table& table, std::size_t index) {
+  const std::string& name = table.text(index, "design");
+  const std::optional<Design> design = design_named(name);
+  if (!design)
+    fail_at(table.where(index),
+            "column 'design': found '" + name + "', expected " + list_of(design_names()) + nearest_hint(name, design_names()));
+  return *design;
 }
 
 /// The reach of a run exists unless it diverged.
@@ -78,17 +91,32 @@ static Row row_of(const Table& table, std::size_t index) {
   row.steps = table.whole(index, "steps");
   row.energy_error = table.number_or_nan(index, "energy_error");
   row.floored = table.whole(index, "floored");
+  row.design = table.has_column("design") ? design_of(table, index) : Design::plain;
+  row.block = table.has_column("block") ? table.whole(index, "block") : row.realization;
   return row;
 }
 
 static void append_rows(std::vector<PlacedRow>& rows, std::string_view bytes, const std::string& name) {
-  const Table table = parse_tsv(bytes, name, row_schema, row_columns);
+  const Table table = parse_tsv(bytes, name, row_schema, std::span(row_columns).first(required_columns));
   check_columns(table);
   for (std::size_t i = 0; i < table.row_count(); ++i) rows.push_back({row_of(table, i), table.where(i)});
 }
 
+/// Realization 0 is of no design: it is not drawn.
+static void check_designs(std::span<const PlacedRow> rows) {
+  const auto is_random = [](const PlacedRow& placed) { return placed.row.realization > 0; };
+  const auto first = std::find_if(rows.begin(), rows.end(), is_random);
+  const auto other =
+      std::find_if(first, rows.end(), [&](const PlacedRow& placed) { return is_random(placed) && placed.row.design != first->row.design; });
+  if (other != rows.end())
+    fail_at(other->where, "realization " + std::to_string(other->row.realization) + " is of the design '" + to_string(other->row.design) +
+                              "', realization " + std::to_string(first->row.realization) + " at " + to_string(first->where) + " of '" +
+                              to_string(first->row.design) + "'; statistics want one design");
+}
+
 /// By realization; throws where a realization stands twice.
 static std::vector<Row> sorted(std::vector<PlacedRow> placed) {
+  check_designs(placed);
   std::stable_sort(placed.begin(), placed.end(),
                    [](const PlacedRow& a, const PlacedRow& b) { return a.row.realization < b.row.realization; });
   std::vector<Row> rows;

@@ -4,6 +4,9 @@
 // run has no reach, a run that never came to rest has no time of rest. Every other run has a finite influence and runout;
 // those of a run that left the domain are lower bounds (it was stopped while it moved).
 //
+// Design and block say how the realization was drawn (core/design.hpp). Tables of before these two columns are read as plain.
+// The random realizations of one reading are of one design: an interval has one unit.
+//
 // Realization 0 is the deterministic run, random realizations carry 1, 2, ...; each number may stand once. A number that
 // stands twice is an error even where both rows are equal: a table given twice would otherwise narrow every interval.
 //
@@ -17,6 +20,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/design.hpp"
 #include "core/provenance.hpp"
 
 namespace slidezone {
@@ -45,6 +49,8 @@ struct Row {
   std::uint64_t steps = 0;
   double energy_error = 0;    // error of the energy balance over the work of gravity or, where soil hardly sinks, over what it started with
   std::uint64_t floored = 0;  // field values that were raised to the floor
+  Design design = Design::plain;
+  std::uint64_t block = 0;  // pair or hypercube that the realization belongs to; its own number where plain
 };
 
 /// One row as a whole table with its provenance.

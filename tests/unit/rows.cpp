@@ -13,9 +13,10 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-const std::string header =
+const std::string columns =
     "realization\tstatus\tinfluence_m\trunout_m\tinfluence_1m_m\trunout_max_m\tdisplaced_area_m2\trest_time_s\tsteps\tenergy_"
-    "error\tfloored\n";
+    "error\tfloored";
+const std::string header = columns + "\n";  // as once written, without design and block
 
 std::string message_of(const std::string& bytes) {
   try {
@@ -39,12 +40,16 @@ Row sample_row(std::uint64_t realization) {
           .rest_time = nan,
           .steps = 20000,
           .energy_error = -0.001,
-          .floored = 2};
+          .floored = 2,
+          .design = Design::antithetic,
+          .block = 4};
 }
 
 TEST(Rows, ReadBackWhatWasWritten) {
   const std::string bytes = to_tsv(sample_row(7), provenance("slidezone-row 1", "mpmrun"));
-  EXPECT_NE(bytes.find(header + "7\tslid\t9.5\t18.25\t9\t20.1\t33.3\tnan\t20000\t-0.001\t2\n"), std::string::npos) << bytes;
+  EXPECT_NE(bytes.find(columns + "\tdesign\tblock\n7\tslid\t9.5\t18.25\t9\t20.1\t33.3\tnan\t20000\t-0.001\t2\tantithetic\t4\n"),
+            std::string::npos)
+      << bytes;
   const std::vector<Row> rows = parse_rows(bytes, "rows.tsv");
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0].realization, 7u);
@@ -83,6 +88,24 @@ TEST(Rows, RefuseARealizationThatStandsTwice) {
   EXPECT_EQ(message_of(header + row + other),
             "rows.tsv:3: realization 1 stands twice with different values, first at rows.tsv:2; give each realization once");
   EXPECT_EQ(message_of(header + row + row), "rows.tsv:3: realization 1 stands twice, first at rows.tsv:2; give each realization once");
+}
+
+TEST(Rows, WithoutADesignArePlain) {
+  const std::vector<Row> rows = parse_rows(header + "7\tslid\t1\t1\t1\t1\t1\t1\t5\t0\t0\n", "rows.tsv");
+  EXPECT_EQ(rows[0].design, Design::plain);
+  EXPECT_EQ(rows[0].block, 7u);
+}
+
+TEST(Rows, RefuseTwoDesignsButForRealization0) {
+  const std::string both = columns + "\tdesign\tblock\n";
+  const std::string row = "\tslid\t1\t1\t1\t1\t1\t1\t5\t0\t0\t";
+  EXPECT_EQ(parse_rows(both + "0" + row + "plain\t0\n1" + row + "Latin hypercube\t1\n", "rows.tsv").size(), 2u);
+  EXPECT_EQ(message_of(both + "1" + row + "antithetic\t1\n2" + row + "antithetic\t1\n3" + row + "plain\t3\n"),
+            "rows.tsv:4: realization 3 is of the design 'plain', realization 1 at rows.tsv:2 of 'antithetic'; statistics want one design");
+  EXPECT_EQ(message_of(both + "1" + row + "antithetical\t1\n"),
+            "rows.tsv:2: column 'design': found 'antithetical', expected plain, antithetic or Latin hypercube; did you mean 'antithetic'?");
+  EXPECT_EQ(message_of(columns + "\tdesign\n1" + row + "\n"),
+            "rows.tsv:1: found one of the columns design and block, expected both or neither");
 }
 
 TEST(Rows, RefuseOtherSchemas) {
