@@ -15,6 +15,9 @@ namespace slidezone {
 
 namespace {
 
+/// Every soil that some point has.
+const std::vector<Material>& materials(const Model& model) { return model.point_soils.empty() ? model.soils : model.point_soils; }
+
 constexpr std::uint64_t sort_interval = 50;  // steps
 constexpr double rest_fraction = 0.003;      // of the peak kinetic energy, where the scene has no rest rule
 
@@ -144,7 +147,7 @@ class Run {
         sweeps_(slidezone::sweeps(set, soil_traits(model_))),
         kinetic_at_start_(kinetic_energy(points_)) {
     audit_.least_work = std::max(kinetic_at_start_, work_of_a_small_fall(points_, model_));
-    for (const Material& soil : model_.soils) soils_.push_back(soil_constants(soil));
+    for (const Material& soil : materials(model_)) soils_.push_back(soil_constants(soil));
     settings_ = {model_.grid, model_.boundaries, least_mass_fraction * *std::max_element(points_.mass.begin(), points_.mass.end()), step_};
     if (model_.method.anti_locking == AntiLocking::b_bar) dilation_.emplace(points_.count(), nodes_.storage.count());
     if (model_.nonlocal_softening) {
@@ -308,7 +311,7 @@ class Run {
             .softening_strain = nonlocal_ ? points_.softening_strain.data() : points_.plastic_strain.data(),
             .mass = points_.mass.data(),
             .peak_cohesion = points_.peak_cohesion.data(),
-            .soil = points_.soil.data(),
+            .soil = model_.point_soils.empty() ? points_.soil.data() : points_.label.data(),
             .soils = soils_.data(),
             .node_mass = nodes_.mass.data(),
             .node_momentum = nodes_.velocity.data(),
@@ -355,9 +358,14 @@ double EnergyAudit::error() const {
   return measure > 0 ? missing() / measure : 0;
 }
 
+const Material& soil_of(const Model& model, const Points& points, std::size_t p) {
+  if (model.point_soils.empty()) return model.soils[static_cast<std::size_t>(points.soil[p])];
+  return model.point_soils[static_cast<std::size_t>(points.label[p])];
+}
+
 double step_limit(const Model& model) {
   double fastest = 0;
-  for (const Material& soil : model.soils) fastest = std::max(fastest, std::sqrt(constrained_modulus(soil) / soil.density));
+  for (const Material& soil : materials(model)) fastest = std::max(fastest, std::sqrt(constrained_modulus(soil) / soil.density));
   return std::min(model.grid.cell_x, model.grid.cell_y) / fastest;
 }
 
@@ -370,8 +378,8 @@ double time_step(const Model& model) {
 }
 
 SoilTraits soil_traits(const Model& model) {
-  SoilTraits traits{false, false, model.soils.size() > 1};
-  for (const Material& soil : model.soils) {
+  SoilTraits traits{false, false, materials(model).size() > 1};
+  for (const Material& soil : materials(model)) {
     traits.has_cone |= soil.peak_friction_angle > 0 || soil.dilation_angle > 0 || std::isfinite(soil.tension_cutoff);
     traits.has_softening |=
         soil.residual_cohesion < soil.peak_cohesion || soil.residual_friction_angle < soil.peak_friction_angle || soil.softening_shape > 0;

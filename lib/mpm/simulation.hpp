@@ -31,6 +31,7 @@ struct Model {
   double point_spacing_x = 0;  // m; a point's domain
   double point_spacing_y = 0;
   std::vector<Material> soils;
+  std::vector<Material> point_soils;  // of each point by label, where parameters vary from point to point; empty: all have their layer's
   Points points;
   Boundaries boundaries;
   Gravity gravity;
@@ -73,6 +74,9 @@ struct Moment {
   const std::function<Points()>& points;  // a copy with the step completed; costs, so ask only when needed
 };
 using Observer = std::function<void(const Moment&)>;
+
+/// The soil of point p: its own, or that of its layer. Its peak cohesion is Points::peak_cohesion.
+const Material& soil_of(const Model& model, const Points& points, std::size_t p);
 
 /// Longest stable step, s.
 double step_limit(const Model& model);

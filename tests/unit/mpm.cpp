@@ -260,6 +260,24 @@ TEST(Simulate, SpecialisedKernelsAgreeWithTheGeneralOne) {
   EXPECT_LT(worst_distance(simulate(general).points, simulate(deforming_block()).points), 1e-11);
 }
 
+TEST(Simulate, SoilOfPointsStandsForLayersOfTheSameSoil) {
+  // Points of two soils in turn: as two layers, and as a soil of each point's own. Points move from cell to cell, so that they are
+  // put in another order on the way.
+  Model layers = deforming_block();
+  layers.soils.push_back(clay);
+  layers.soils[1].youngs_modulus *= 2;
+  layers.soils[1].peak_friction_angle = 0.2;
+  for (std::size_t p = 1; p < layers.points.count(); p += 2) layers.points.soil[p] = 1;
+  Model own = layers;
+  own.soils[0] = own.soils[1] = elastic;
+  for (const int soil : layers.points.soil) own.point_soils.push_back(layers.soils[static_cast<std::size_t>(soil)]);
+  EXPECT_EQ(step_limit(own), step_limit(layers));
+  EXPECT_EQ(soil_of(own, own.points, 3).peak_friction_angle, 0.2);
+  const Outcome expected = simulate(layers), found = simulate(own);
+  EXPECT_EQ(found.points.x, expected.points.x);
+  EXPECT_EQ(found.points.yy, expected.points.yy);
+}
+
 TEST(Energy, ErrorHasAMeasureWithoutGravity) {
   Model model = block(3, 3, 4, 3, elastic);
   model.gravity.acceleration = {0, 0};
