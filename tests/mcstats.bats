@@ -236,3 +236,64 @@ refuses() {
   for rule in mean=9 sd=9 quantile_0.5=9 exceeds_10.5=1; do assert_equal "$(value runout_m stop:$rule <statistics)" 1; done
   assert_equal "$(value runs next_look <statistics)" 119
 }
+
+# ---- designs ----
+
+@test "antithetic pairs: the mean is as sure as that of the pairs, the median as that of the runs at best" {
+  pairs 100 >rows.tsv
+  mcstats rows.tsv >statistics
+  assert_schema statistics statistics
+  assert_equal "$(value runs total <statistics)" 200
+  assert_equal "$(value runs blocks <statistics)" 100
+  # Means of pairs are 20 + k / 1000, k = 1 ... 100: sd 0.0290115, half-width t_99 * 0.00290115 with t_99 = 1.98422.
+  assert_near "$(value runout_m mean <statistics)" 20.0505 1e-12
+  assert_near "$(value runout_m mean 5 <statistics)" 20.0562565 1e-6
+  assert_near "$(value runout_m standard_error_of_mean <statistics)" 0.00290115 1e-8
+  assert_near "$(value runout_m bootstrap_mean 5 <statistics)" 20.0562 0.0005
+  sed 's/antithetic.*//' rows.tsv | sed 's/\tdesign\tblock//; s/\t$//' >plain.tsv
+  mcstats plain.tsv >plain
+  assert_equal "$(value runout_m quantile_0.5 <statistics)" "$(value runout_m quantile_0.5 <plain)"
+  assert_equal "$(value runout_m quantile_0.5 5 <statistics)" "$(value runout_m quantile_0.5 5 <plain)"
+  assert_equal "$(value runout_m normal_anderson_darling <statistics)" "$(value runout_m normal_anderson_darling <plain)"
+  assert_equal "$(value runout_m normal_anderson_darling_p <statistics)" nan
+  mcstats rows.tsv --trace >trace
+  assert_schema trace trace
+  assert_equal "$(tail -1 trace | cut -f 5)" "$(value runout_m mean 5 <statistics)"
+  assert_equal "$(tail -1 trace | cut -f 8)" "$(value runout_m sd 5 <statistics)"
+}
+
+@test "an incomplete pair counts and is told, and the next look is at whole pairs" {
+  pairs 20 | head -n -1 >rows.tsv
+  run --separate-stderr mcstats rows.tsv --least-runs 31
+  assert_success
+  assert_equal "$stderr" "mcstats: warning: 1 of the 20 pairs are incomplete: their runs count, and intervals allow for it"
+  assert_equal "$(value runs total <<<"$output")" 39
+  assert_equal "$(value runs next_look <<<"$output")" 48
+}
+
+@test "one block alone gives values and no intervals" {
+  pairs 10 | sed 's/antithetic\t.*/Latin hypercube\t1/' >rows.tsv
+  run --separate-stderr mcstats rows.tsv
+  assert_success
+  assert_regex "$stderr" 'only 1 blocks: '
+  for statistic in mean quantile_0.5 bootstrap_mean; do assert_equal "$(value runout_m $statistic 5 <<<"$output")" unbounded; done
+  assert_equal "$(value runs probability_of_failure 4 <<<"$output")" 0
+}
+
+@test "two designs in one table are refused by file and line" {
+  pairs 3 >pairs.tsv
+  { row_header; row 7 slid 1 2; } >plain.tsv
+  for files in 'pairs.tsv plain.tsv' 'plain.tsv pairs.tsv'; do
+    run --separate-stderr mcstats $files
+    assert_failure 65
+    assert_regex "$stderr" '^mcstats: (pairs|plain).tsv:4: realization [17] is of the design .* at (pairs|plain).tsv:4 of .*; statistics want one design$'
+  done
+}
+
+@test "the interval that a rule of width looks at stands beside its half" {
+  ladder 200 | mcstats --stop mean=1 --stop sd=1 >statistics
+  assert_equal "$(value runout_m half_width:mean=1 4 <statistics)" "$(value runout_m mean 4 <statistics)"
+  low=$(value runout_m half_width:sd=1 4 <statistics) high=$(value runout_m half_width:sd=1 5 <statistics)
+  assert_near "$(value runout_m half_width:sd=1 <statistics)" "$(awk "BEGIN { print ($high - $low) / 2 }")" 1e-6
+  assert_between "$high" "$(value runout_m sd 5 <statistics)" 1  # for a longer tail
+}

@@ -9,6 +9,14 @@ row_header() {
     tr ' ' '\t'
 }
 
+# pairs COUNT: antithetic pairs 1 ... COUNT of rows with their design; the reaches of a pair are opposed about 10 and 20 but for its number.
+pairs() {
+  row_header | sed '/^realization/s/$/\tdesign\tblock/'
+  awk -v count="$1" 'BEGIN { OFS = "\t"
+    for (k = 1; k <= 2 * count; ++k) { pair = int((k + 1) / 2); d = (k % 2 ? 1 : -1) * (pair % 7) + pair / 1000
+      print k, "slid", 10 + d, 20 + d, 0, 0, 0, 10, 100, 0.001, 0, "antithetic", pair } }'
+}
+
 # ladder COUNT: realizations 1 ... COUNT that slid, influence k / 100 and runout 10 + k / 100 for the k-th.
 ladder() {
   row_header

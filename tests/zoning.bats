@@ -330,3 +330,22 @@ in_map() { python3 -c 'import json, sys; m = json.load(open("zones.geojson")); p
   run -64 zoning - --map - <scene.toml
   run -66 zoning rows.tsv --map absent.toml
 }
+
+@test "pairs that agree count once: bands and boundaries are those of as many pairs, almost" {
+  pairs 100 | awk -F '\t' -v OFS='\t' '/^[0-9]/ { $3 = 5 + $13 / 10; $4 = 15 + $13 / 10 } { print }' >rows.tsv
+  zoning rows.tsv --curve >curve
+  { row_header; for ((k = 1; k <= 100; ++k)); do row $k slid "$(awk "BEGIN { print 5 + $k / 10 }")" "$(awk "BEGIN { print 15 + $k / 10 }")"; done; } >half.tsv
+  zoning half.tsv --curve >half
+  # Korn and Graubard's: n_eff = 200 / (200 / 199 * 99 / 100 ... ) within 3 % of 100.
+  for distance in 17 20 23; do
+    for end in 4 5; do
+      assert_near "$(awk -F '\t' -v d=$distance -v e=$end '$1 == "runout_m" && $2 == d { print $e }' curve)" \
+        "$(awk -F '\t' -v d=$distance -v e=$end '$1 == "runout_m" && $2 == d { print $e }' half)" 0.005
+    done
+  done
+  zoning rows.tsv >classes
+  zoning half.tsv >half
+  assert_near "$(awk -F '\t' '$1 == "runout_m" && $3 == 0.5 { print $6 }' classes)" "$(awk -F '\t' '$1 == "runout_m" && $3 == 0.5 { print $6 }' half)" 0.11
+  run --separate-stderr zoning rows.tsv --tail
+  assert_regex "$stderr" 'no tail fitted to runout_m: .* depend on each other'
+}

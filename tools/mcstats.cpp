@@ -35,7 +35,8 @@ Of the influence distance behind the crest (influence_m) and the runout distance
 
 Columns of the result: quantity, statistic, value, ci_low and ci_high (95 % interval), n (number of values that went in). A value or
 interval that does not exist is nan; an end that the sample cannot give is "unbounded". Distances in m, variances in m2.
-  runs        count by status: total, slid, stable, left_domain, diverged; probability_of_failure; next_look (below)
+  runs        total; blocks: of how many independent runs, pairs or hypercubes; count by status: slid, stable, left_domain, diverged;
+              probability_of_failure; next_look (below)
   mean variance sd skewness kurtosis min max quantile_P
               of all runs, failed or not. A stable run counts with the reach that it has. A run that left the grid counts with the
               reach it had: means and quantiles are then lower bounds and lose their upper end. Diverged runs are left out of moments;
@@ -53,14 +54,18 @@ interval that does not exist is nan; an end that the sample cannot give is "unbo
               for gamma and gev); aic, the smaller the better. A large p from few runs says little
   stop:RULE   1 where the rule is met, else 0
   half_width:RULE, runs_needed:RULE
-              half of the rule's interval; how many runs it will want, if the spread stays as it is
+              half of the rule's interval, and that interval; how many runs it will want, if the spread stays as it is
   paper_change_of_mean paper_change_of_variance paper_first_met
               by the last run; the number of runs after which the paper's rule was met for the first time
 Rules: mean=W, sd=W, quantile_P=W (half of the 95 % interval is at most W m), exceeds_X=W (likewise of P(reach > X m), W a probability),
-       for both quantities or for one ("runout_m:mean=0.1"); not met before --least-runs. paper: mean and variance change by less
+       for both quantities or for one ("runout_m:mean=0.1"); not met before --least-runs. The interval of sd=W is for a kurtosis two
+       standard errors above the sample's: where a study ended by it, quote that of half_width, not that of sd. paper: mean and variance change by less
        than 1e-3 by one more run, which is nearly a matter of the number of runs alone.
        Look again only at next_look runs: who looks after each run and stops at the first good one gets intervals that cover less
-       than 95 %.)";
+       than 95 %.
+Designs: of rows drawn in antithetic pairs or Latin hypercubes (column design) the intervals of mean, sd and bootstrap count pairs or
+       hypercubes, and gain what the design gains. Those of probabilities and quantiles are conservative: for fewer independent runs where
+       those of a block agree, never for more. p values are of independent runs, else nan. One table holds one design.)";
 
 /// The kind of table that is asked for, as its schema is called.
 std::string kind_of(const Options& options) {

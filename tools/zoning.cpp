@@ -47,7 +47,8 @@ from the slope. A place is reached where the limit state G = distance - reach is
 A probability is a share of all runs, failed or not; ci_low and ci_high are its 95 % band: exact (Clopper-Pearson) or Wilson's, for one
 distance at a time, or simultaneous (Dvoretzky-Kiefer-Wolfowitz), for the whole curve. Runs that left the grid exceed every distance up
 to their reach and are doubtful beyond, diverged runs are doubtful everywhere: doubtful runs widen the band to both sides. An end that
-the runs cannot give is "unbounded".
+the runs cannot give is "unbounded". Antithetic pairs and Latin hypercubes (column design) count as fewer independent runs where those of
+a block agree, never as more.
 
 Classes by P = P(reach > distance), unless --thresholds and --class-names say otherwise:
   very_high  P > 50 %    high  50 to 10 %    medium  10 to 1 %    low  1 to 0.1 %    very_low  P <= 0.1 %
@@ -88,7 +89,9 @@ void tell_boundaries(Provenance& origin, const NamedEnsemble& study, const ZoneO
   for (const Reach* reach : {&study.ensemble.influence, &study.ensemble.runout}) {
     const std::string of = (study.name.empty() ? "" : study.name + " ") + reach->quantity;
     const std::optional<TailFit> fit = tail_of(*reach, zones);
-    if (!fit) warn("no tail fitted to " + of + ": too few runs, or some left the grid or diverged; boundaries are of order statistics");
+    if (!fit)
+      warn("no tail fitted to " + of +
+           ": too few runs, or some left the grid, diverged or depend on each other; boundaries are of order statistics");
     origin.details.emplace_back("tail of " + of, fit ? words_on(*fit) : "none");
   }
 }

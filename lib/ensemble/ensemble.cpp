@@ -1,6 +1,7 @@
 #include "ensemble/ensemble.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "core/error.hpp"
 
@@ -13,13 +14,16 @@ static Knowledge knowledge_of(Status status) {
   return status == Status::diverged ? Knowledge::unknown : Knowledge::exact;
 }
 
+/// As a sample counts it: 0 stands for no block.
+static std::uint64_t block_of(const Row& row) { return row.design == Design::plain ? 0 : row.block + 1; }
+
 static Reach reach_of(std::span<const Row> rows, const std::string& quantity, double Row::*value) {
   Reach reach{quantity, {}, {}, std::nullopt};
   for (const Row& row : rows) {
     const Knowledge knowledge = knowledge_of(row.status);
     if (is_random(row)) {
-      reach.sample.push_back({row.*value, knowledge});
-      if (row.status == Status::slid) reach.of_slides.push_back(row.*value);
+      reach.sample.push_back({row.*value, knowledge, block_of(row)});
+      if (row.status == Status::slid) reach.slides.push_back(reach.sample.back());
     } else if (knowledge == Knowledge::exact) {
       reach.deterministic = row.*value;
     }
@@ -32,7 +36,7 @@ static Sample failures(std::span<const Row> rows) {
   for (const Row& row : rows) {
     if (!is_random(row)) continue;
     const bool is_known = row.status != Status::diverged;
-    sample.push_back({row.status == Status::stable ? 0.0 : 1.0, is_known ? Knowledge::exact : Knowledge::unknown});
+    sample.push_back({row.status == Status::stable ? 0.0 : 1.0, is_known ? Knowledge::exact : Knowledge::unknown, block_of(row)});
   }
   return sample;
 }
@@ -50,8 +54,35 @@ std::size_t count_of(std::span<const Row> rows, Status status) {
 
 Estimate failure_probability(const Ensemble& ensemble) { return exceedance_estimate(ensemble.failure, 0.5); }
 
-std::vector<std::string> cautions(std::span<const Row> rows) {
+BlockCount block_count(std::span<const Row> rows) {
+  std::map<std::uint64_t, std::size_t> sizes;
+  BlockCount count;
+  for (const Row& row : rows) {
+    if (!is_random(row)) continue;
+    const std::size_t size = ++sizes[row.design == Design::plain ? row.realization : row.block];
+    count.size = std::max({count.size, size, row.design == Design::antithetic ? std::size_t{2} : 1});
+  }
+  count.blocks = sizes.size();
+  count.incomplete =
+      static_cast<std::size_t>(std::count_if(sizes.begin(), sizes.end(), [&](const auto& block) { return block.second < count.size; }));
+  return count;
+}
+
+static std::vector<std::string> cautions_on_blocks(std::span<const Row> rows) {
+  const BlockCount count = block_count(rows);
+  if (count.size <= 1) return {};
+  const std::string blocks = std::to_string(count.blocks) + (count.size == 2 ? " pairs" : " blocks");
   std::vector<std::string> texts;
+  if (count.incomplete > 0)
+    texts.push_back(std::to_string(count.incomplete) + " of the " + blocks +
+                    " are incomplete: their runs count, and intervals allow for it");
+  if (count.blocks < 10)
+    texts.push_back("only " + blocks + ": intervals rest on what differs between them, and are wide; below 5 some have no end");
+  return texts;
+}
+
+std::vector<std::string> cautions(std::span<const Row> rows) {
+  std::vector<std::string> texts = cautions_on_blocks(rows);
   const std::size_t censored = count_of(rows, Status::left_domain);
   const std::size_t diverged = count_of(rows, Status::diverged);
   if (censored > 0)

@@ -8,6 +8,7 @@
 //
 // Every random realization is in every sample, so that P(reach > x) is the probability that a slope of this kind both fails and
 // reaches x. Realization 0, the deterministic run, is no member of the random sample: it is kept apart.
+// A run knows the block it was drawn in (antithetic pair, Latin hypercube), so that intervals count what is independent.
 // Throws Error(ExitCode::data) where there is no random realization.
 #pragma once
 
@@ -24,7 +25,7 @@ namespace slidezone {
 struct Reach {
   std::string quantity;                 // "influence_m" or "runout_m", as the tables call it
   Sample sample;                        // all random realizations
-  std::vector<double> of_slides;        // the runs that slid and stayed inside, for distributions given failure
+  Sample slides;                        // those that slid and stayed inside, for distributions given failure
   std::optional<double> deterministic;  // of realization 0, where it is there and ended as it should
 };
 
@@ -42,7 +43,16 @@ std::size_t count_of(std::span<const Row> rows, Status status);
 /// P(failure).
 Estimate failure_probability(const Ensemble& ensemble);
 
-/// What a reader of any result must know of runs that are censored or diverged; empty where there are none.
+/// The number of blocks of random realizations, and how many the largest has: plain runs are blocks of one.
+struct BlockCount {
+  std::size_t blocks = 0;
+  std::size_t size = 0;
+  std::size_t incomplete = 0;  // pairs without their twin, hypercubes smaller than the largest
+};
+BlockCount block_count(std::span<const Row> rows);
+
+/// What a reader of any result must know of runs that are censored or diverged, and of blocks that are incomplete or too few; empty where
+/// there is nothing of the kind.
 std::vector<std::string> cautions(std::span<const Row> rows);
 
 }  // namespace slidezone

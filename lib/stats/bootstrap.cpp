@@ -24,15 +24,15 @@ struct PowerSums {
 
 using Statistics = std::array<double, 4>;  // mean less that of the whole sample, variance, skewness, kurtosis
 
-PowerSums operator+(PowerSums sums, const std::array<double, 4>& powers) {
-  sums.count += 1;
-  for (std::size_t k = 0; k < 4; ++k) sums.sums[k] += powers[k];
+PowerSums operator+(PowerSums sums, const PowerSums& more) {
+  sums.count += more.count;
+  for (std::size_t k = 0; k < 4; ++k) sums.sums[k] += more.sums[k];
   return sums;
 }
 
-PowerSums operator-(PowerSums sums, const std::array<double, 4>& powers) {
-  sums.count -= 1;
-  for (std::size_t k = 0; k < 4; ++k) sums.sums[k] -= powers[k];
+PowerSums operator-(PowerSums sums, const PowerSums& less) {
+  sums.count -= less.count;
+  for (std::size_t k = 0; k < 4; ++k) sums.sums[k] -= less.sums[k];
   return sums;
 }
 
@@ -50,16 +50,20 @@ static Statistics statistics_of(const PowerSums& sums) {
   return {m, m2 * n / (n - 1), m3 / std::pow(m2, 1.5), m4 / (m2 * m2)};
 }
 
-static std::vector<std::array<double, 4>> powers_of(std::span<const double> values, double mean) {
-  std::vector<std::array<double, 4>> powers;
-  for (const double value : values) {
-    const double d = value - mean;
-    powers.push_back({d, d * d, d * d * d, d * d * d * d});
+/// Of each block.
+static std::vector<PowerSums> powers_of(const Blocks& blocks, double mean) {
+  std::vector<PowerSums> powers;
+  for (const auto& block : blocks) {
+    powers.emplace_back();
+    for (const double value : block) {
+      const double d = value - mean;
+      powers.back() = powers.back() + PowerSums{1, {d, d * d, d * d * d, d * d * d * d}};
+    }
   }
   return powers;
 }
 
-static std::vector<Statistics> resampled_statistics(const std::vector<std::array<double, 4>>& powers, std::string_view name,
+static std::vector<Statistics> resampled_statistics(const std::vector<PowerSums>& powers, std::string_view name,
                                                     const Resampling& resampling) {
   std::vector<Statistics> statistics;
   std::vector<std::uint64_t> words(powers.size());
@@ -74,10 +78,10 @@ static std::vector<Statistics> resampled_statistics(const std::vector<std::array
 }
 
 /// The acceleration of each statistic.
-static Statistics accelerations(const std::vector<std::array<double, 4>>& powers, const PowerSums& whole) {
+static Statistics accelerations(const std::vector<PowerSums>& powers, const PowerSums& whole) {
   std::vector<Statistics> without;
   Statistics means{};
-  for (const auto& power : powers) {
+  for (const PowerSums& power : powers) {
     without.push_back(statistics_of(whole - power));
     for (std::size_t s = 0; s < 4; ++s) means[s] += without.back()[s] / static_cast<double>(powers.size());
   }
@@ -119,11 +123,10 @@ static Interval bca_interval(std::vector<double> resampled, double found, double
   return {end(-z), end(z)};
 }
 
-MomentIntervals bootstrap_intervals(std::span<const double> values, std::string_view name, const Resampling& resampling,
-                                    double confidence) {
-  const Moments moments = moments_of(values);
-  if (values.size() < 8 || !(moments.variance() > 0)) return {};
-  const auto powers = powers_of(values, moments.mean());
+MomentIntervals bootstrap_intervals(const Blocks& blocks, std::string_view name, const Resampling& resampling, double confidence) {
+  const Moments moments = moments_of_all(blocks);
+  if (blocks.size() < 8 || !(moments.variance() > 0)) return {};
+  const auto powers = powers_of(blocks, moments.mean());
   const PowerSums whole = std::accumulate(powers.begin(), powers.end(), PowerSums{});
   const Statistics found = statistics_of(whole);
   const Statistics acceleration = accelerations(powers, whole);

@@ -2,17 +2,19 @@
 //
 // Source: Efron (1987), "Better bootstrap confidence intervals", J. Am. Stat. Assoc. 82, 171-185. For a statistic t:
 //   z0 = Phi^-1(share of resampled t below t, ties counted half)         bias
-//   a  = sum d^3 / (6 (sum d^2)^1.5), d = mean(t_(i)) - t_(i)            acceleration, from the jackknife's t without value i
+//   a  = sum d^3 / (6 (sum d^2)^1.5), d = mean(t_(i)) - t_(i)            acceleration, from the jackknife's t without block i
 //   ends: the quantiles Phi(z0 + (z0 + z) / (1 - a (z0 + z))), z = +- Phi^-1(1 - alpha / 2), of the resampled t
-// Equivariant: the root of the variance's interval is that of the sd. The values are taken as independent.
-// Resampling: value floor(u n) for the numbers u of the stream (seed, purpose, resample): the same wherever it is computed.
-// Accuracy: with 2,000 resamples an end is off by some 5 % of the interval's width; below 20 values the interval is too short.
+// Equivariant: the root of the variance's interval is that of the sd. Drawn are blocks (blocks.hpp), as many as there are: runs one by one
+// where they are plain, else whole pairs or hypercubes. Resampling: block floor(u B) for the numbers u of the stream (seed, purpose,
+// resample): the same wherever it is computed. Accuracy: with 2,000 resamples an end is off by some 5 % of the interval's width; below 20
+// blocks the interval is too short.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <string_view>
 
+#include "stats/blocks.hpp"
 #include "stats/interval.hpp"
 
 namespace slidezone {
@@ -29,8 +31,8 @@ struct MomentIntervals {
   Interval kurtosis;
 };
 
-/// `name` keeps the resamples of one series apart from another's. Infinite ends for fewer than 8 values and for equal ones.
-MomentIntervals bootstrap_intervals(std::span<const double> values, std::string_view name, const Resampling& resampling,
+/// `name` keeps the resamples of one series apart from another's. Infinite ends for fewer than 8 blocks and for equal values.
+MomentIntervals bootstrap_intervals(const Blocks& blocks, std::string_view name, const Resampling& resampling,
                                     double confidence = standard_confidence);
 
 }  // namespace slidezone

@@ -42,11 +42,13 @@ static Fit fit_by_moments(Family family, std::span<const double> values) {
   return {family, {moments.mean(), moments.standard_deviation()}};
 }
 
-std::optional<std::array<Interval, 2>> parameter_intervals(Family family, std::span<const double> values) {
+std::optional<std::array<Interval, 2>> parameter_intervals(Family family, const Sample& sample) {
   if (family != Family::normal && family != Family::lognormal) return std::nullopt;
-  const std::vector<double> fitted = family == Family::lognormal ? logarithms(values) : std::vector<double>(values.begin(), values.end());
-  const Interval variance = variance_interval(fitted);
-  return std::array{mean_interval(moments_of(fitted)), Interval{std::sqrt(variance.low), std::sqrt(variance.high)}};
+  Sample fitted = sample;
+  if (family == Family::lognormal) {
+    for (Observation& seen : fitted) seen.value = std::log(seen.value);
+  }
+  return std::array{mean_estimate(fitted).interval, root(variance_estimate(fitted)).interval};
 }
 
 // ---- gamma and weibull ----

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "stats/interval.hpp"
+#include "stats/sample.hpp"
 
 namespace slidezone {
 
@@ -41,8 +41,8 @@ struct Fit {
 /// its likelihood at a shape above -1.
 std::optional<Fit> fit_of(Family family, std::span<const double> values);
 
-/// 95 % intervals of the parameters: Student and Bonett (interval.hpp) for normal and lognormal; nothing for the others.
-std::optional<std::array<Interval, 2>> parameter_intervals(Family family, std::span<const double> values);
+/// 95 % intervals of the parameters: those of mean and sd (sample.hpp) for normal and lognormal; nothing for the others.
+std::optional<std::array<Interval, 2>> parameter_intervals(Family family, const Sample& sample);
 
 /// Density, P(X <= x) and P(X > x) of the fit.
 double density(const Fit& fit, double x);

@@ -50,34 +50,31 @@ Interval variance_interval(std::span<const double> values, double confidence) {
   return {c * variance * std::exp(-half_width), c * variance * std::exp(half_width)};
 }
 
-Interval clopper_pearson(std::size_t hits, std::size_t count, double confidence) {
+Interval clopper_pearson(double hits, double count, double confidence) {
   assert(hits <= count && count > 0);
   keep_gsl_from_aborting();
   const double tail = (1 - confidence) / 2;
-  const double k = static_cast<double>(hits);
-  const double n = static_cast<double>(count);
-  return {hits == 0 ? 0 : gsl_cdf_beta_Pinv(tail, k, n - k + 1), hits == count ? 1 : gsl_cdf_beta_Qinv(tail, k + 1, n - k)};
+  return {hits == 0 ? 0 : gsl_cdf_beta_Pinv(tail, hits, count - hits + 1),
+          hits == count ? 1 : gsl_cdf_beta_Qinv(tail, hits + 1, count - hits)};
 }
 
-Interval wilson(std::size_t hits, std::size_t count, double confidence) {
+Interval wilson(double hits, double count, double confidence) {
   assert(hits <= count && count > 0);
   const double z2 = std::pow(normal_limit(confidence), 2);
-  const double n = static_cast<double>(count);
-  const double p = static_cast<double>(hits) / n;
-  const double centre = (p + z2 / (2 * n)) / (1 + z2 / n);
-  const double half_width = std::sqrt(z2 * (p * (1 - p) / n + z2 / (4 * n * n))) / (1 + z2 / n);
+  const double p = hits / count;
+  const double centre = (p + z2 / (2 * count)) / (1 + z2 / count);
+  const double half_width = std::sqrt(z2 * (p * (1 - p) / count + z2 / (4 * count * count))) / (1 + z2 / count);
   return {hits == 0 ? 0 : centre - half_width, hits == count ? 1 : centre + half_width};
 }
 
-Interval simultaneous(std::size_t hits, std::size_t count, double confidence) {
+Interval simultaneous(double hits, double count, double confidence) {
   assert(hits <= count && count > 0);
-  const double n = static_cast<double>(count);
-  const double p = static_cast<double>(hits) / n;
-  const double half_width = std::sqrt(std::log(2 / (1 - confidence)) / (2 * n));
+  const double p = hits / count;
+  const double half_width = std::sqrt(std::log(2 / (1 - confidence)) / (2 * count));
   return {std::max(p - half_width, 0.0), std::min(p + half_width, 1.0)};
 }
 
-Interval proportion_interval(Band band, std::size_t hits, std::size_t count, double confidence) {
+Interval proportion_interval(Band band, double hits, double count, double confidence) {
   switch (band) {
     case Band::exact:
       return clopper_pearson(hits, count, confidence);
@@ -89,17 +86,21 @@ Interval proportion_interval(Band band, std::size_t hits, std::size_t count, dou
   return {0, 1};
 }
 
-Ranks quantile_ranks(std::size_t count, double p, double confidence) {
-  assert(p > 0 && p < 1);
+Ranks quantile_ranks(std::size_t count, double p, double effective, double confidence) {
+  assert(p > 0 && p < 1 && effective <= static_cast<double>(count));
+  if (effective <= 0) return {};
   keep_gsl_from_aborting();
   const double tail = (1 - confidence) / 2;
-  const auto n = static_cast<unsigned>(count);
-  std::vector<unsigned> ranks(count);
-  std::iota(ranks.begin(), ranks.end(), 1u);
-  // P(B <= r - 1) grows with r and P(B >= r) = P(B > r - 1) falls: either condition parts the ranks in two.
-  const auto above_low =
-      std::partition_point(ranks.begin(), ranks.end(), [&](unsigned r) { return gsl_cdf_binomial_P(r - 1, p, n) <= tail; });
-  const auto high = std::partition_point(ranks.begin(), ranks.end(), [&](unsigned r) { return gsl_cdf_binomial_Q(r - 1, p, n) > tail; });
+  const double part = effective / static_cast<double>(count);
+  std::vector<std::size_t> ranks(count);
+  std::iota(ranks.begin(), ranks.end(), std::size_t{1});
+  // P(B <= r - 1) = I_{1-p}(n - r + 1, r) grows with r and P(B >= r) = I_p(r, n - r + 1) falls: either condition parts the ranks in two.
+  const auto at_most = [&](std::size_t r) {
+    const double rank = part * static_cast<double>(r);
+    return gsl_cdf_beta_P(1 - p, effective - rank + 1, rank);
+  };
+  const auto above_low = std::partition_point(ranks.begin(), ranks.end(), [&](std::size_t r) { return at_most(r) <= tail; });
+  const auto high = std::partition_point(ranks.begin(), ranks.end(), [&](std::size_t r) { return 1 - at_most(r) > tail; });
   Ranks result;
   if (above_low != ranks.begin()) result.low = *(above_low - 1);
   if (high != ranks.end()) result.high = *high;

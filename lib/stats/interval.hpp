@@ -35,21 +35,23 @@ Interval mean_interval(const Moments& moments, double confidence = standard_conf
 /// Infinite above for fewer than 5 values and for equal ones. Needs the values again: its kurtosis is taken about a trimmed mean.
 Interval variance_interval(std::span<const double> values, double confidence = standard_confidence);
 
-/// Of `hits` among `count` >= 1.
-Interval clopper_pearson(std::size_t hits, std::size_t count, double confidence = standard_confidence);
-Interval wilson(std::size_t hits, std::size_t count, double confidence = standard_confidence);
-Interval simultaneous(std::size_t hits, std::size_t count, double confidence = standard_confidence);
+/// Of `hits` among `count` > 0; fractions of runs where dependent ones count for fewer (blocks.hpp).
+Interval clopper_pearson(double hits, double count, double confidence = standard_confidence);
+Interval wilson(double hits, double count, double confidence = standard_confidence);
+Interval simultaneous(double hits, double count, double confidence = standard_confidence);
 
 /// The three by name: "exact", "wilson", "simultaneous".
 enum class Band { exact, wilson, simultaneous };
-Interval proportion_interval(Band band, std::size_t hits, std::size_t count, double confidence = standard_confidence);
+Interval proportion_interval(Band band, double hits, double count, double confidence = standard_confidence);
 
-/// Ranks (1 is the smallest of `count` values) whose order statistics enclose the quantile of probability p in (0, 1).
+/// Ranks (1 is the smallest of `count` values) whose order statistics enclose the quantile of probability p in (0, 1). `effective` is the
+/// number of independent values that tell as much, at most `count` (blocks.hpp; Woodruff 1952): rank r of them is rank
+/// r * count / effective, a fraction, of those that there are.
 struct Ranks {
   std::optional<std::size_t> low;
   std::optional<std::size_t> high;
 };
-Ranks quantile_ranks(std::size_t count, double p, double confidence = standard_confidence);
+Ranks quantile_ranks(std::size_t count, double p, double effective, double confidence = standard_confidence);
 
 /// The quantile of values in ascending order: the middle of all x with P(X <= x) = p in the sample, or the x where the sample steps
 /// over p (type 2 of Hyndman and Fan 1996; the median as usually defined). nan for no values.

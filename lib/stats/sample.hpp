@@ -5,12 +5,16 @@
 // - unknown: the run diverged; the reach may be anything.
 // What follows for an estimate is said where it is made. Two readings of the sample bracket every order statistic and every
 // count of exceedances: the lowest values that the runs allow (unknown = -infinity) and the highest (at_least, unknown = infinity).
+//
+// Runs that depend on each other bear the number of their block; intervals then count blocks (blocks.hpp).
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "stats/blocks.hpp"
 #include "stats/interval.hpp"
 #include "stats/moments.hpp"
 
@@ -21,6 +25,7 @@ enum class Knowledge { exact, at_least, unknown };
 struct Observation {
   double value = 0;
   Knowledge knowledge = Knowledge::exact;
+  std::uint64_t block = 0;  // 0: independent of all others
 };
 
 /// In the order in which the realizations are numbered.
@@ -31,6 +36,12 @@ std::size_t count_of(const Sample& sample, Knowledge knowledge);
 
 /// All values but the unknown, censored ones at their lower bound, in the sample's order.
 std::vector<double> known_values(const Sample& sample);
+
+/// Whether some runs depend on each other.
+bool has_blocks(const Sample& sample);
+
+/// The known values by block, in the order in which blocks begin.
+Blocks known_blocks(const Sample& sample);
 
 /// The two readings, ascending.
 std::vector<double> lowest_values(const Sample& sample);
@@ -53,6 +64,10 @@ Estimate exceedance_estimate(const Sample& sample, double x, Band band = Band::e
 /// of the variance none at all. Diverged runs are left out, as if what broke them had nothing to do with their reach.
 Estimate mean_estimate(const Sample& sample, double confidence = standard_confidence);
 Estimate variance_estimate(const Sample& sample, double confidence = standard_confidence);
+
+/// The variance with an interval that allows for a longer tail than the sample shows: kurtosis plus two of its standard errors. For
+/// whoever looks at the interval again and again and stops where it is short (stopping.hpp).
+Estimate guarded_variance_estimate(const Sample& sample, double confidence = standard_confidence);
 
 /// The root of an estimate and of the ends of its interval, the lower one at least 0: an sd from a variance.
 Estimate root(const Estimate& estimate);

@@ -65,14 +65,14 @@ std::string to_string(const StopRule& rule) {
   return "";
 }
 
-static Interval target_interval(const StopRule& rule, const Sample& sample) {
+Interval target_interval(const StopRule& rule, const Sample& sample) {
   switch (rule.kind) {
     case StopRule::Kind::paper:
       return {};
     case StopRule::Kind::mean:
       return mean_estimate(sample).interval;
     case StopRule::Kind::sd:
-      return root(variance_estimate(sample)).interval;
+      return root(guarded_variance_estimate(sample)).interval;
     case StopRule::Kind::quantile:
       return quantile_estimate(sample, rule.argument).interval;
     case StopRule::Kind::exceedance:

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "core/round_step.hpp"
 #include "core/text.hpp"
@@ -19,14 +20,39 @@ static Interval running_sd_interval(const Moments& moments) {
   return {moments.standard_deviation() * std::exp(-z / 2 * spread), moments.standard_deviation() * std::exp(z / 2 * spread)};
 }
 
-static void add_trace(Table& table, const Reach& reach) {
+namespace {
+
+/// The runs so far.
+struct Running {
   Moments moments;
-  for (const double value : known_values(reach.sample)) {
+  Blocks blocks;  // unused where runs are plain
+  std::map<std::uint64_t, std::size_t> places;
+
+  void add(const Observation& seen) {
+    moments.add(seen.value);
+    if (seen.block == 0) return;
+    const std::size_t place = places.try_emplace(seen.block, blocks.size()).first->second;
+    if (place == blocks.size()) blocks.emplace_back();
+    blocks[place].push_back(seen.value);
+  }
+  Interval of_mean() const { return blocks.empty() ? mean_interval(moments) : mean_interval(blocks); }
+  Interval of_sd() const {
+    return blocks.empty() ? running_sd_interval(moments) : root({moments.variance(), variance_interval(blocks, 0)}).interval;
+  }
+};
+
+}  // namespace
+
+static void add_trace(Table& table, const Reach& reach) {
+  Running running;
+  const Moments& moments = running.moments;
+  for (const Observation& seen : reach.sample) {
+    if (seen.knowledge == Knowledge::unknown) continue;
     const double mean = moments.mean();
     const double variance = moments.variance();
-    moments.add(value);
-    const Interval of_mean = mean_interval(moments);
-    const Interval of_sd = running_sd_interval(moments);
+    running.add(seen);
+    const Interval of_mean = running.of_mean();
+    const Interval of_sd = running.of_sd();
     table.add_row({reach.quantity, std::to_string(moments.count()), format_real(moments.mean()), format_limit(of_mean.low),
                    format_limit(of_mean.high), format_real(moments.standard_deviation()), format_limit(of_sd.low), format_limit(of_sd.high),
                    format_real(moments.mean() - mean), format_real(moments.variance() - variance)});
@@ -52,7 +78,7 @@ static RoundStep bin_width(std::span<const double> ascending) {
 }
 
 static void add_histogram(Table& table, const Reach& reach) {
-  std::vector<double> values = reach.of_slides;
+  std::vector<double> values = known_values(reach.slides);
   if (values.empty()) return;
   std::sort(values.begin(), values.end());
   const RoundStep width = bin_width(values);
@@ -75,7 +101,7 @@ Table histogram_table(const Ensemble& ensemble) {
 // ---- densities ----
 
 static void add_densities(Table& table, const Reach& reach) {
-  std::vector<double> values = reach.of_slides;
+  std::vector<double> values = known_values(reach.slides);
   if (values.empty()) return;
   std::sort(values.begin(), values.end());
   std::vector<std::optional<Fit>> fits;

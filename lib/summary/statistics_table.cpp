@@ -11,6 +11,7 @@
 namespace slidezone {
 
 static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+static constexpr double infinity = std::numeric_limits<double>::infinity();
 static constexpr Interval no_interval{nan, nan};
 static constexpr std::array quantiles = {0.01, 0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99};
 
@@ -36,18 +37,26 @@ class Statistics {
 
 static void add_runs(Statistics& statistics, std::span<const Row> rows, const Ensemble& ensemble, std::size_t least_runs) {
   const std::size_t total = ensemble.failure.size();
+  const BlockCount blocks = block_count(rows);
   statistics.add("runs", "total", static_cast<double>(total), total);
+  statistics.add("runs", "blocks", static_cast<double>(blocks.blocks), total);
   for (const Status status : {Status::slid, Status::stable, Status::left_domain, Status::diverged})
     statistics.add("runs", to_string(status), static_cast<double>(count_of(rows, status)), total);
   statistics.add("runs", "probability_of_failure", failure_probability(ensemble), total);
-  statistics.add("runs", "next_look", static_cast<double>(next_look(total, least_runs)), total);
+  const std::size_t look = next_look(total, least_runs);
+  statistics.add("runs", "next_look", static_cast<double>((look + blocks.size - 1) / blocks.size * blocks.size), total);
 }
 
-/// Standard errors of mean, variance and sd, the latter two with the sample's kurtosis: var(s^2) = s^4 (b_2 - (n - 3) / (n - 1)) / n.
-static void add_standard_errors(Statistics& statistics, const std::string& quantity, const Moments& moments) {
+/// Of a variance, with the kurtosis: var(s^2) = s^4 (b_2 - (n - 3) / (n - 1)) / n.
+static double plain_variance_error(const Moments& moments) {
   const double n = static_cast<double>(moments.count());
-  const double of_variance = moments.variance() * std::sqrt(std::max(moments.kurtosis() - (n - 3) / (n - 1), 0.0) / n);
-  statistics.add(quantity, "standard_error_of_mean", moments.standard_deviation() / std::sqrt(n), moments.count());
+  return moments.variance() * std::sqrt(std::max(moments.kurtosis() - (n - 3) / (n - 1), 0.0) / n);
+}
+
+static void add_standard_errors(Statistics& statistics, const std::string& quantity, const Sample& sample, const Moments& moments) {
+  const Blocks blocks = known_blocks(sample);
+  const double of_variance = has_blocks(sample) ? variance_error(blocks) : plain_variance_error(moments);
+  statistics.add(quantity, "standard_error_of_mean", mean_error(blocks), moments.count());
   statistics.add(quantity, "standard_error_of_variance", of_variance, moments.count());
   statistics.add(quantity, "standard_error_of_sd", of_variance / (2 * moments.standard_deviation()), moments.count());
 }
@@ -56,7 +65,8 @@ static void add_moments(Statistics& statistics, const Reach& reach, const Resamp
   const std::vector<double> values = known_values(reach.sample);
   const Moments moments = moments_of(values);
   const bool is_complete = count_of(reach.sample, Knowledge::at_least) == 0;
-  const MomentIntervals resampled = is_complete ? bootstrap_intervals(values, reach.quantity, resampling) : MomentIntervals{};
+  const MomentIntervals resampled =
+      is_complete ? bootstrap_intervals(known_blocks(reach.sample), reach.quantity, resampling) : MomentIntervals{};
   const Estimate variance = variance_estimate(reach.sample);
   const std::size_t n = moments.count();
   const auto add = [&](const std::string& name, const Estimate& estimate) { statistics.add(reach.quantity, name, estimate, n); };
@@ -67,7 +77,7 @@ static void add_moments(Statistics& statistics, const Reach& reach, const Resamp
   add("kurtosis", {moments.kurtosis(), resampled.kurtosis});
   add("min", {moments.minimum(), no_interval});
   add("max", {moments.maximum(), no_interval});
-  add_standard_errors(statistics, reach.quantity, moments);
+  add_standard_errors(statistics, reach.quantity, reach.sample, moments);
   add("bootstrap_mean", {moments.mean(), resampled.mean});
   add("bootstrap_variance", {moments.variance(), resampled.variance});
   add("bootstrap_sd", root({moments.variance(), resampled.variance}));
@@ -102,16 +112,17 @@ static Simulations simulations_of(std::size_t count, const Resampling& resamplin
 
 static void add_parameters(Statistics& statistics, const Reach& reach, Family family, const std::optional<Fit>& fit) {
   const std::vector<std::string>& names = parameter_names(family);
-  const auto intervals = fit ? parameter_intervals(family, reach.of_slides) : std::nullopt;
+  const auto intervals = fit ? parameter_intervals(family, reach.slides) : std::nullopt;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Estimate parameter{fit ? fit->parameters[i] : nan, intervals ? (*intervals)[i] : no_interval};
-    statistics.add(reach.quantity, name_of(family) + "_" + names[i], parameter, reach.of_slides.size());
+    statistics.add(reach.quantity, name_of(family) + "_" + names[i], parameter, reach.slides.size());
   }
 }
 
 static void add_goodness(Statistics& statistics, const Reach& reach, Family family, const std::optional<Fit>& fit,
                          const Simulations& simulations) {
-  const std::span<const double> values = reach.of_slides;
+  const std::vector<double> values = known_values(reach.slides);
+  const bool is_independent = !has_blocks(reach.slides);  // what p values are of
   const auto add = [&](const std::string& what, double value) {
     statistics.add(reach.quantity, name_of(family) + "_" + what, value, values.size());
   };
@@ -119,10 +130,11 @@ static void add_goodness(Statistics& statistics, const Reach& reach, Family fami
   add("chi_square", binned ? binned->statistic : nan);
   add("chi_square_bins", binned ? static_cast<double>(binned->bins) : nan);
   add("chi_square_degrees_of_freedom", binned ? static_cast<double>(binned->degrees_of_freedom) : nan);
-  add("chi_square_p", binned ? binned->p : nan);
+  add("chi_square_p", binned && is_independent ? binned->p : nan);
   const Distances found = fit ? distances(*fit, values) : Distances{nan, nan};
   const auto simulated = simulations.find(family);
-  const DistanceP p = fit && simulated != simulations.end() ? p_values(found, values.size(), simulated->second) : DistanceP{nan, nan};
+  const DistanceP p =
+      fit && is_independent && simulated != simulations.end() ? p_values(found, values.size(), simulated->second) : DistanceP{nan, nan};
   const bool is_possible = std::isfinite(found.anderson_darling);
   add("anderson_darling", is_possible ? found.anderson_darling : nan);
   add("anderson_darling_p", p.anderson_darling);
@@ -132,12 +144,10 @@ static void add_goodness(Statistics& statistics, const Reach& reach, Family fami
 }
 
 static void add_slides(Statistics& statistics, const Reach& reach, const Simulations& simulations) {
-  const Moments moments = moments_of(reach.of_slides);
-  const Estimate variance{moments.variance(), variance_interval(reach.of_slides)};
-  statistics.add(reach.quantity, "mean_of_slides", {moments.mean(), mean_interval(moments)}, moments.count());
-  statistics.add(reach.quantity, "sd_of_slides", root(variance), moments.count());
+  statistics.add(reach.quantity, "mean_of_slides", mean_estimate(reach.slides), reach.slides.size());
+  statistics.add(reach.quantity, "sd_of_slides", root(variance_estimate(reach.slides)), reach.slides.size());
   for (const Family family : families) {
-    const std::optional<Fit> fit = fit_of(family, reach.of_slides);
+    const std::optional<Fit> fit = fit_of(family, known_values(reach.slides));
     add_parameters(statistics, reach, family, fit);
     add_goodness(statistics, reach, family, fit, simulations);
   }
@@ -158,10 +168,11 @@ static void add_paper_verdict(Statistics& statistics, const Reach& reach) {
 static void add_width_verdict(Statistics& statistics, const Reach& reach, const StopRule& rule, std::size_t least_runs) {
   const std::size_t n = reach.sample.size();
   const double found = half_width(rule, reach.sample);
+  const Interval interval = found < infinity ? target_interval(rule, reach.sample) : no_interval;
   const double needed = std::ceil(static_cast<double>(n) * std::pow(found / rule.half_width, 2));
   const std::string text = to_string(rule);
   statistics.add(reach.quantity, "stop:" + text, found <= rule.half_width && n >= least_runs ? 1 : 0, n);
-  statistics.add(reach.quantity, "half_width:" + text, std::isfinite(found) ? found : nan, n);
+  statistics.add(reach.quantity, "half_width:" + text, {std::isfinite(found) ? found : nan, interval}, n);
   statistics.add(reach.quantity, "runs_needed:" + text, std::isfinite(found) ? needed : nan, n);
 }
 
@@ -179,7 +190,7 @@ static void add_verdicts(Statistics& statistics, const Reach& reach, const Summa
 Table statistics_table(std::span<const Row> rows, const Ensemble& ensemble, const SummaryOptions& options) {
   Statistics statistics;
   add_runs(statistics, rows, ensemble, options.least_runs);
-  const Simulations simulations = simulations_of(ensemble.influence.of_slides.size(), options.resampling);
+  const Simulations simulations = simulations_of(ensemble.influence.slides.size(), options.resampling);
   for (const Reach* reach : {&ensemble.influence, &ensemble.runout}) {
     add_moments(statistics, *reach, options.resampling);
     add_quantiles(statistics, *reach);

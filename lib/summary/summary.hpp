@@ -25,7 +25,7 @@ struct SummaryOptions {
 Table statistics_table(std::span<const Row> rows, const Ensemble& ensemble, const SummaryOptions& options);
 
 /// After each known value in turn: mean and sd with their 95 % intervals, and how much they changed. The sd's interval comes from the
-/// running kurtosis: s exp(+- z / 2 sqrt((b_2 - (n - 3) / (n - 1)) / n)).
+/// running kurtosis: s exp(+- z / 2 sqrt((b_2 - (n - 3) / (n - 1)) / n)); both count blocks where runs were drawn in blocks.
 Table trace_table(const Ensemble& ensemble);
 
 /// Counts and densities of the runs that slid, in bins of Freedman and Diaconis (1981): 2 (q75 - q25) n^(-1/3), rounded to 1, 2 or 5

@@ -97,7 +97,7 @@ static void add_line(Table& table, const std::string& study, const Line& line, c
 // ---- classes ----
 
 std::optional<TailFit> tail_of(const Reach& reach, const ZoneOptions& options) {
-  if (!options.has_tails || count_of(reach.sample, Knowledge::exact) < reach.sample.size()) return std::nullopt;
+  if (!options.has_tails || has_blocks(reach.sample) || count_of(reach.sample, Knowledge::exact) < reach.sample.size()) return std::nullopt;
   return tail_fit(known_values(reach.sample));
 }
 
@@ -155,7 +155,7 @@ static Lines curve_lines(const NamedEnsemble& study, const ZoneOptions& options,
   for (const auto member : {&Ensemble::influence, &Ensemble::runout}) {
     const Reach& reach = study.ensemble.*member;
     for (const CurvePoint& point :
-         exceedance_curve(reach.sample, reach.of_slides, failure, shared_distances(studies, member), options.band))
+         exceedance_curve(reach.sample, known_values(reach.slides), failure, shared_distances(studies, member), options.band))
       lines.push_back(
           {{reach.quantity, format_real(point.distance)}, point.exceedance, {format_real(point.normal), format_real(point.lognormal)}});
   }

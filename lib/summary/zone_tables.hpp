@@ -34,7 +34,8 @@ struct Structure {
 /// The columns name, side and distance_m of "slidezone-structures-input 1". Throws with the place of what is wrong.
 std::vector<Structure> parse_structures(std::string_view bytes, const std::string& name);
 
-/// The tail of a reach, if asked for and there is one: nothing where runs are censored or diverged, or too few.
+/// The tail of a reach, if asked for and there is one: nothing where runs are censored, diverged, drawn in blocks or too
+/// few.
 std::optional<TailFit> tail_of(const Reach& reach, const ZoneOptions& options);
 
 /// Threshold, exceedances, scale, shape and distance of a fit in a line.

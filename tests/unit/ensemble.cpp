@@ -31,7 +31,7 @@ TEST(Ensemble, KeepsEveryRandomRunAndTheDeterministicOneApart) {
   EXPECT_EQ(ensemble.runout.sample[1].knowledge, Knowledge::exact);
   EXPECT_EQ(ensemble.runout.sample[2].knowledge, Knowledge::at_least);
   EXPECT_EQ(ensemble.runout.sample[3].knowledge, Knowledge::unknown);
-  EXPECT_EQ(ensemble.influence.of_slides, std::vector<double>{10});
+  EXPECT_EQ(known_values(ensemble.influence.slides), std::vector<double>{10});
   EXPECT_EQ(ensemble.influence.deterministic, 9);
   EXPECT_EQ(count_of(one_of_each, Status::slid), 1u);
 }
@@ -46,6 +46,28 @@ TEST(Ensemble, CountsFailuresAmongTheRunsThatTell) {
 TEST(Ensemble, CautionsOnlyWhereThereIsDoubt) {
   EXPECT_EQ(cautions(one_of_each).size(), 2u);
   EXPECT_TRUE(cautions(std::vector<Row>{row(0, Status::diverged, 0, 0), row(1, Status::stable, 0, 0)}).empty());
+}
+
+TEST(Ensemble, KnowsTheBlocksOfItsRuns) {
+  std::vector<Row> rows = {row(0, Status::slid, 9, 18)};
+  for (std::uint64_t k = 1; k <= 39; ++k) {
+    rows.push_back(row(k, Status::slid, 10, 20));
+    rows.back().design = Design::antithetic;
+    rows.back().block = (k + 1) / 2;
+  }
+  EXPECT_EQ(block_count(rows).blocks, 20u);
+  EXPECT_EQ(block_count(rows).size, 2u);
+  EXPECT_EQ(block_count(rows).incomplete, 1u);
+  EXPECT_EQ(cautions(rows).size(), 1u);
+  const Ensemble ensemble = ensemble_of(rows);
+  EXPECT_EQ(known_blocks(ensemble.runout.sample).size(), 20u);
+  EXPECT_EQ(known_blocks(ensemble.influence.slides).size(), 20u);
+  for (Row& plain : rows) {
+    plain.design = Design::plain;
+    plain.block = plain.realization;
+  }
+  EXPECT_EQ(block_count(rows).size, 1u);
+  EXPECT_FALSE(has_blocks(ensemble_of(rows).failure));
 }
 
 TEST(Ensemble, WantsARandomRun) { EXPECT_THROW(ensemble_of(std::span(one_of_each).first(1)), Error); }

@@ -140,7 +140,7 @@ TEST(VarianceInterval, KnowsTheKurtosis) {
 
 TEST(Proportion, MatchesReferenceIntervals) {
   struct Reference {
-    std::size_t hits;
+    double hits;
     Interval exact;
     Interval wilson;
   };
@@ -160,8 +160,8 @@ TEST(Proportion, MatchesReferenceIntervals) {
 
 TEST(Proportion, IsExactAtTheEnds) {
   // Closed form: 0 of n has the upper end 1 - 0.025^(1/n); n of n mirrors it.
-  for (const std::size_t n : {1u, 7u, 100000u}) {
-    const double end = -std::expm1(std::log(0.025) / static_cast<double>(n));
+  for (const double n : {1.0, 7.0, 100000.0}) {
+    const double end = -std::expm1(std::log(0.025) / n);
     EXPECT_NEAR(clopper_pearson(0, n).high, end, 1e-12);
     EXPECT_EQ(clopper_pearson(0, n).low, 0);
     EXPECT_NEAR(clopper_pearson(n, n).low, 1 - end, 1e-12);
@@ -179,7 +179,7 @@ TEST(Proportion, SimultaneousBandIsMassarts) {
 
 TEST(QuantileRanks, MatchReferenceRanks) {
   const auto expect = [](double p, std::optional<std::size_t> low, std::optional<std::size_t> high) {
-    const Ranks ranks = quantile_ranks(1000, p);
+    const Ranks ranks = quantile_ranks(1000, p, 1000);
     EXPECT_EQ(ranks.low, low) << p;
     EXPECT_EQ(ranks.high, high) << p;
   };
@@ -187,8 +187,8 @@ TEST(QuantileRanks, MatchReferenceRanks) {
   expect(0.9, 881, 919);
   expect(0.99, 983, 997);
   expect(0.999, 997, std::nullopt);
-  EXPECT_FALSE(quantile_ranks(5, 0.5).low);  // 2^-5 = 0.031 > 0.025: five values cannot bound their median
-  EXPECT_EQ(quantile_ranks(6, 0.5).low, 1u);
+  EXPECT_FALSE(quantile_ranks(5, 0.5, 5).low);  // 2^-5 = 0.031 > 0.025: five values cannot bound their median
+  EXPECT_EQ(quantile_ranks(6, 0.5, 6).low, 1u);
 }
 
 TEST(Quantile, IsTheUsualMedianAndStepsElsewhere) {
@@ -198,6 +198,93 @@ TEST(Quantile, IsTheUsualMedianAndStepsElsewhere) {
   EXPECT_EQ(quantile(one_to(1000), 1 - 0.1), 900.5);  // 1000 * 0.9 is whole, whatever 1 - 0.1 rounds to
   EXPECT_EQ(quantile(one_to(1000), 1 - 0.001), 999.5);
   EXPECT_TRUE(std::isnan(quantile({}, 0.5)));
+}
+
+// ---- blocks ----
+
+/// Each value of `values` alone, in pairs, ...: blocks of this size.
+Blocks blocks_of(std::size_t size, const std::vector<double>& values) {
+  Blocks blocks;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i % size == 0) blocks.emplace_back();
+    blocks.back().push_back(values[i]);
+  }
+  return blocks;
+}
+
+TEST(Blocks, OfOneAreStudentsAndBonettsAndTheNumberOfRuns) {
+  const std::vector<double> values = {3, 1, 4, 1, 5, 9, 2, 6, 5, 3, 5, 8};
+  EXPECT_DOUBLE_EQ(mean_interval(blocks_of(1, values)).low, mean_interval(moments_of(values)).low);
+  EXPECT_DOUBLE_EQ(mean_interval(blocks_of(1, values)).high, mean_interval(moments_of(values)).high);
+  EXPECT_EQ(effective_count(blocks_of(1, {1, 0, 0, 1})), 4);
+  // Bonett's with Student's t for z and the kurtosis about the mean: c s^2 exp(-t c sqrt((k - 9 / 12) / 11)) with t = 2.20099, c = 12 / (12
+  // - t).
+  const double t = 2.2009851600916384, c = 12 / (12 - t);
+  const Moments moments = moments_of(values);
+  EXPECT_NEAR(variance_interval(blocks_of(1, values), 0).low,
+              c * moments.variance() * std::exp(-t * c * std::sqrt((moments.kurtosis() - 0.75) / 11)), 1e-9);
+}
+
+TEST(Blocks, MeanIsThatOfBlockMeans) {
+  // Means 2, 4, 9 of pairs: 5 +- t_2 sqrt(13 / 3), t_2 = 4.30265.
+  const Interval interval = mean_interval(blocks_of(2, {1, 3, 6, 2, 10, 8}));
+  EXPECT_NEAR(interval.low, 5 - 4.302652729911275 * std::sqrt(13.0 / 3), 1e-9);
+  EXPECT_NEAR(interval.high, 5 + 4.302652729911275 * std::sqrt(13.0 / 3), 1e-9);
+}
+
+TEST(Blocks, PairsWhoseMeansAreEqualTellTheMeanExactly) {
+  const Interval interval = mean_interval(blocks_of(2, {1, 9, 4, 6, 3, 7}));
+  EXPECT_NEAR(interval.low, 5, 1e-12);
+  EXPECT_NEAR(interval.high, 5, 1e-12);
+}
+
+TEST(Blocks, AnIncompleteBlockCountsByItsRuns) {
+  // Sums less 5 times the count: -4, 0, 4 and n = 5: half-width t_2 sqrt(3 / 2 * 32) / 5.
+  const Interval interval = mean_interval(Blocks{{1}, {4, 6}, {7, 7}});
+  EXPECT_NEAR(interval.high, 5 + 4.302652729911275 * std::sqrt(48.0) / 5, 1e-9);
+}
+
+TEST(Blocks, OneAloneTellsNothing) {
+  EXPECT_EQ(mean_interval(blocks_of(4, {1, 2, 3, 4})).high, infinity);
+  EXPECT_EQ(variance_interval(blocks_of(4, {1, 2, 3, 4}), 0).high, infinity);
+  EXPECT_EQ(effective_count(blocks_of(4, {1, 0, 1, 0})), 0);
+}
+
+TEST(Blocks, ProportionsCountAtMostTheRunsAndWithoutAHitTheBlocksOfPairs) {
+  const std::vector<double> none(200, 0.0);
+  EXPECT_DOUBLE_EQ(effective_count(blocks_of(1, none)), 200);
+  // Pairs: effect 2, t_199 = 1.97196 and t_99 = 1.98422.
+  EXPECT_NEAR(effective_count(blocks_of(2, none)), 100 * std::pow(1.971956544249388 / 1.984216951586283, 2), 1e-6);
+  std::vector<double> opposed, alike;
+  for (int i = 0; i < 100; ++i) {
+    opposed.insert(opposed.end(), {0.0, 1.0});
+    alike.insert(alike.end(), 2, i % 2);
+  }
+  EXPECT_EQ(effective_count(blocks_of(2, opposed)), 200);
+  EXPECT_NEAR(effective_count(blocks_of(2, alike)), 100 * 0.99 * std::pow(1.971956544249388 / 1.984216951586283, 2), 1e-6);
+}
+
+TEST(Blocks, AWidenedVarianceAllowsForALongerTail) {
+  const std::vector<double> values = one_to(100);
+  EXPECT_GT(variance_interval(blocks_of(1, values), 2).high, variance_interval(blocks_of(1, values), 0).high);
+  EXPECT_LT(variance_interval(blocks_of(1, values), 2).low, variance_interval(blocks_of(1, values), 0).low);
+}
+
+TEST(QuantileRanks, OfFewerIndependentValuesLieFartherApart) {
+  // 1000 values worth 250: ranks 109 and 142 of 250 (0.5), times 4, outward to whole ranks.
+  const Ranks few = quantile_ranks(250, 0.5, 250);
+  const Ranks many = quantile_ranks(1000, 0.5, 250);
+  EXPECT_NEAR(static_cast<double>(*many.low), 4.0 * static_cast<double>(*few.low), 4);
+  EXPECT_NEAR(static_cast<double>(*many.high), 4.0 * static_cast<double>(*few.high), 4);
+  EXPECT_FALSE(quantile_ranks(1000, 0.5, 0).low);
+}
+
+TEST(Sample, OfBlocksKnowsThem) {
+  const Sample sample = {{1, Knowledge::exact, 7}, {2, Knowledge::exact, 8}, {3, Knowledge::exact, 7}, {0, Knowledge::unknown, 8}};
+  EXPECT_TRUE(has_blocks(sample));
+  EXPECT_EQ(known_blocks(sample), (Blocks{{1, 3}, {2}}));
+  EXPECT_EQ(known_blocks(exactly({1, 2})), (Blocks{{1}, {2}}));
+  EXPECT_FALSE(has_blocks(exactly({1, 2})));
 }
 
 // ---- samples with censored and unknown values ----
@@ -439,7 +526,7 @@ TEST(Tail, WantsThirtyExceedancesThatDiffer) {
 
 TEST(Bootstrap, MatchesBootOfR) {
   // boot.ci(type = "bca") with R = 200000: mean (9.89, 11.48), variance (2.203, 8.733).
-  const MomentIntervals found = bootstrap_intervals(distances_25, "test", {.resamples = 100'000, .seed = 1});
+  const MomentIntervals found = bootstrap_intervals(blocks_of(1, distances_25), "test", {.resamples = 100'000, .seed = 1});
   EXPECT_NEAR(found.mean.low, 9.89, 0.01);
   EXPECT_NEAR(found.mean.high, 11.48, 0.01);
   EXPECT_NEAR(found.variance.low, 2.203, 0.03);  // the ends scatter by some sd 0.01 and 0.05 at 100000 resamples
@@ -447,9 +534,9 @@ TEST(Bootstrap, MatchesBootOfR) {
 }
 
 TEST(Bootstrap, IsReproducibleAndFollowsItsSeed) {
-  const MomentIntervals first = bootstrap_intervals(distances_25, "test", {});
-  const MomentIntervals again = bootstrap_intervals(distances_25, "test", {});
-  const MomentIntervals other = bootstrap_intervals(distances_25, "test", {.seed = 2});
+  const MomentIntervals first = bootstrap_intervals(blocks_of(1, distances_25), "test", {});
+  const MomentIntervals again = bootstrap_intervals(blocks_of(1, distances_25), "test", {});
+  const MomentIntervals other = bootstrap_intervals(blocks_of(1, distances_25), "test", {.seed = 2});
   EXPECT_EQ(first.kurtosis.high, again.kurtosis.high);
   EXPECT_NE(first.kurtosis.high, other.kurtosis.high);
 }
@@ -457,16 +544,16 @@ TEST(Bootstrap, IsReproducibleAndFollowsItsSeed) {
 TEST(Bootstrap, CarriesAShiftAndAScaleAlong) {
   std::vector<double> moved;
   for (const double value : distances_25) moved.push_back(1024 + 2 * value);
-  const MomentIntervals first = bootstrap_intervals(distances_25, "test", {});
-  const MomentIntervals second = bootstrap_intervals(moved, "test", {});
+  const MomentIntervals first = bootstrap_intervals(blocks_of(1, distances_25), "test", {});
+  const MomentIntervals second = bootstrap_intervals(blocks_of(1, moved), "test", {});
   EXPECT_NEAR(second.mean.low, 1024 + 2 * first.mean.low, 1e-9);
   EXPECT_NEAR(second.variance.high, 4 * first.variance.high, 1e-9);
   EXPECT_NEAR(second.skewness.low, first.skewness.low, 1e-9);
 }
 
 TEST(Bootstrap, SaysNothingOfFewOrEqualValues) {
-  EXPECT_EQ(bootstrap_intervals(std::vector<double>(7, 1.0), "test", {}).mean.high, infinity);
-  EXPECT_EQ(bootstrap_intervals(std::vector<double>(100, 1.0), "test", {}).mean.high, infinity);
+  EXPECT_EQ(bootstrap_intervals(blocks_of(1, std::vector<double>(7, 1.0)), "test", {}).mean.high, infinity);
+  EXPECT_EQ(bootstrap_intervals(blocks_of(1, std::vector<double>(100, 1.0)), "test", {}).mean.high, infinity);
 }
 
 // ---- stopping ----
@@ -486,8 +573,8 @@ TEST(StopRule, LooksAtTheIntervalOfItsTarget) {
   EXPECT_NEAR(half_width(*parse_stop_rule("exceeds_990=1"), sample), (0.0183132431 - 0.0048055107) / 2, 1e-10);
   EXPECT_DOUBLE_EQ(half_width(*parse_stop_rule("mean=1"), sample),
                    (mean_estimate(sample).interval.high - mean_estimate(sample).interval.low) / 2);
-  EXPECT_DOUBLE_EQ(half_width(*parse_stop_rule("sd=1"), sample),
-                   (std::sqrt(variance_estimate(sample).interval.high) - std::sqrt(variance_estimate(sample).interval.low)) / 2);
+  const Interval of_sd = root(guarded_variance_estimate(sample)).interval;
+  EXPECT_DOUBLE_EQ(half_width(*parse_stop_rule("sd=1"), sample), (of_sd.high - of_sd.low) / 2);
   EXPECT_EQ(half_width(*parse_stop_rule("quantile_0.999=1"), sample), infinity);
   EXPECT_EQ(half_width(*parse_stop_rule("mean=1"), {}), infinity);
 }
@@ -524,6 +611,15 @@ TEST(PaperRule, RemembersWhenItWasMetFirst) {
   EXPECT_EQ(verdict.first_met, 3u);
   EXPECT_DOUBLE_EQ(verdict.change_of_mean, 0.8);
   EXPECT_TRUE(std::isnan(paper_verdict(std::vector<double>{5}).change_of_mean));
+}
+
+TEST(Bootstrap, DrawsWholeBlocks) {
+  std::vector<double> opposed;
+  for (int i = 0; i < 50; ++i) opposed.insert(opposed.end(), {10.0 + i, 10.0 - i});
+  const Interval pairs = bootstrap_intervals(blocks_of(2, opposed), "test", {}).variance;
+  EXPECT_LT(pairs.low, moments_of(opposed).variance());
+  EXPECT_GT(pairs.high, moments_of(opposed).variance());
+  EXPECT_EQ(bootstrap_intervals(blocks_of(20, opposed), "test", {}).mean.high, infinity);  // 5 blocks
 }
 
 }  // namespace
