@@ -56,8 +56,8 @@ endif
 batch_size := 50
 
 ifdef is_random
-ifeq ($(shell [[ "$(N)" =~ ^[1-9][0-9]{0,5}$$ ]] && echo good),)
-$(error N, the number of realizations, is '$(N)': give a whole number from 1 to 999999, as N=100 or as [study] realizations)
+ifeq ($(shell [[ "$(N)" =~ ^([2-9]|[1-9][0-9]{1,5})$$ ]] && echo good),)
+$(error N, the number of realizations, is '$(N)': give a whole number from 2 to 999999, as N=100 or as [study] realizations)
 endif
 SHOWN ?= 1
 # "first realization of the batch/realization" for each: 000001/000001 ... 000001/000050 000051/000051 ...

@@ -56,10 +56,10 @@ run_make() { PATH=$make_path run make --no-print-directory -C "$TOP" PACKAGES="m
   ln -s "$TOP/pipelines" pipelines
   awk '/^```sh$/ { block = ""; is_in = 1; next } /^```$/ { is_in = 0; if (block ~ /rfgen/) printf "%s", block } is_in { block = block $0 "\n" }' \
     "$TOP/README.md" >pasted
-  assert_file_contains pasted 'rfmap .* mpmrun .* mcstats'
+  assert_file_contains pasted 'rfmap .* mpmrun .*; done . mcstats'
   run --separate-stderr bash -eu -o pipefail pasted
   assert_success
-  assert_line --regexp '^runs.total.1.'
+  assert_line --regexp '^runs.total.3.'
 }
 
 @test "an installation puts every tool and its man page below PREFIX" {

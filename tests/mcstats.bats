@@ -58,7 +58,7 @@ refuses() {
   assert_output --partial "without rows"
   { row_header; row 0 slid 1 2; } >deterministic.tsv
   run -65 mcstats deterministic.tsv
-  assert_output --partial "only realization 0"
+  assert_output --partial "deterministic.tsv:4: found only realization 0"
   ladder 3 | sed 's/row 1/curve 1/' >other.tsv
   run -65 mcstats other.tsv
   assert_output --partial "other.tsv:1: found schema 'slidezone-curve 1', expected 'slidezone-row 1'"
@@ -96,23 +96,52 @@ refuses() {
   refute [ "$(value influence_m bootstrap_mean 4 <first)" = "$(value influence_m bootstrap_mean 4 <second)" ]
 }
 
-@test "the table obeys its schema, also of one row and of runs that say nothing" {
+@test "the table obeys its schema, also of runs that say little or nothing" {
   ladder 30 | mcstats >many
   assert_schema statistics many
-  ladder 1 | mcstats >one
-  assert_schema statistics one
-  assert_equal "$(value influence_m mean <one)" 0.01
-  assert_equal "$(value influence_m sd <one)" nan
-  assert_equal "$(value influence_m mean 5 <one)" unbounded
-  { row_header; row 1 diverged nan nan; } | mcstats >none
+  { row_header; row 1 diverged nan nan; row 2 diverged nan nan; } | mcstats >none
   assert_schema statistics none
-  for rows in 'ladder 30' 'ladder 1' 'row 1 stable 0 0' 'row 1 diverged nan nan'; do
+  assert_equal "$(value influence_m mean <none)" nan
+  stable() { row 1 stable 0 0; row 2 stable 0 0; }
+  diverged() { row 1 diverged nan nan; row 2 diverged nan nan; }
+  for rows in 'ladder 30' 'ladder 2' stable diverged; do
     for kind in trace histogram densities; do
       { row_header; $rows; } | mcstats --$kind >$kind
       assert_schema $kind $kind
     done
   done
-  assert_equal "$(value influence_m mean <none)" nan
+}
+
+@test "one random row is refused: it has no spread" {
+  { row_header; row 0 slid 9 18; row 7 slid 10 20; } >one.tsv
+  run --separate-stderr mcstats one.tsv
+  assert_failure 65
+  assert_equal "$output" ""
+  assert_equal "$stderr" "mcstats: one.tsv:5: found one random realization, statistics want at least two; mpmrun's row says what there is to say of one"
+}
+
+@test "slides that all run equally far are refused, with file and line" {
+  refuses "$(row 1 slid 1 20)" "$(row 2 stable 0 0.1)" "$(row 3 slid 2 20)"
+  assert_equal "$stderr" "mcstats: wrong.tsv:6: column 'runout_m': found 20 in each of the 2 runs that slid, expected that they differ; were runs copied, or does the field not vary?"
+}
+
+@test "slopes that all stand: the probability of failure is told, the spread of what is the same is not" {
+  { row_header; for ((k = 1; k <= 30; ++k)); do row $k stable 0 0.1$k; done; } >rows.tsv
+  run --separate-stderr mcstats rows.tsv
+  assert_success
+  assert_equal "$stderr" "mcstats: warning: influence_m is 0 in all 30 runs: they tell nothing of its spread, and its mean has no interval"
+  printf '%s\n' "$output" >statistics
+  assert_schema statistics statistics
+  assert_equal "$(value runs probability_of_failure <statistics)" 0
+  assert_near "$(value runs probability_of_failure 5 <statistics)" 0.115703308 1e-8  # 1 - 0.025^(1/30)
+  assert_equal "$(value influence_m mean <statistics)" 0
+  assert_equal "$(value influence_m mean 5 <statistics)" unbounded
+  for statistic in variance sd skewness kurtosis standard_error_of_mean bootstrap_mean bootstrap_sd; do
+    assert_equal "$(value influence_m $statistic <statistics)" nan
+    assert_equal "$(value influence_m $statistic 5 <statistics)" nan
+    assert_finite "$(value runout_m $statistic <statistics)"
+  done
+  assert_equal "$(value influence_m stop:mean=0.2 <statistics)" 0
 }
 
 # ---- statistics ----

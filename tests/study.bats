@@ -206,6 +206,9 @@ END
 }
 
 @test "a wrong N, a broken scene, missing tools: a message, and nothing is made" {
+  run_study N=1
+  assert_failure
+  assert_output --partial "N, the number of realizations, is '1': give a whole number from 2"
   run_study N=010
   assert_failure
   assert_output --partial "N, the number of realizations, is '010'"

@@ -56,6 +56,15 @@ field() { awk -F '\t' -v w="$1" -v c="$2" '!/^#/ { for (i = 1; i <= NF; ++i) if 
   done
 }
 
+@test "one random row, and slides that all run equally far, are refused" {
+  { row_header; row 1 slid 1 2; } >one.tsv
+  run -65 zoning one.tsv
+  assert_output --partial "one.tsv:4: found one random realization"
+  { row_header; row 1 slid 1 2; row 2 slid 2 2; } >equal.tsv
+  run -65 zoning equal.tsv --curve
+  assert_output --partial "equal.tsv:5: column 'runout_m': found 2 in each of the 2 runs that slid"
+}
+
 @test "broken structures are named by file and line" {
   ladder 3 >rows.tsv
   for wrong in 'A left 1' 'A toe -1' 'A toe nan' 'A toe 1m' ' toe 1' 'A toe'; do
@@ -107,7 +116,7 @@ field() { awk -F '\t' -v w="$1" -v c="$2" '!/^#/ { for (i = 1; i <= NF; ++i) if 
   assert_schema structures-input s.tsv
   { row_header; row 1 slid 10 20; row 2 stable 0 0.1; row 3 left_domain 12 30; row 4 diverged nan nan; } >few.tsv
   ladder 1000 >many.tsv
-  { row_header; row 1 diverged nan nan; } >none.tsv
+  { row_header; row 1 diverged nan nan; row 2 diverged nan nan; } >none.tsv
   for rows in few many none; do
     zoning -q $rows.tsv >classes 2>/dev/null
     assert_schema classes classes
@@ -263,7 +272,7 @@ exponential() {
 @test "several studies stand below each other, then the worst case of each line" {
   ladder 100 >short.tsv
   ladder 200 >long.tsv
-  { row_header; for k in 1 2 3 4; do row $k slid 0.9 30; done; } >far.tsv
+  { row_header; for k in 1 2 3 4; do row $k slid 0.9 30.$k; done; } >far.tsv
   structures 'A toe 10.8' 'B crest 0.5' >s.tsv
   zoning --study short=short.tsv --study long=long.tsv --study far=far.tsv --structures s.tsv >classed
   assert_equal "$(grep -v '^#' classed | cut -f 1 | xargs)" "study short short long long far far worst_case worst_case"

@@ -33,6 +33,7 @@ const char* const manual =
 
 Of the influence distance behind the crest (influence_m) and the runout distance before the toe (runout_m).
 
+Rows of at least two random realizations; slides that all run equally far are refused, for no two random fields do that.
 Columns of the result: quantity, statistic, value, ci_low and ci_high (95 % interval), n (number of values that went in). A value or
 interval that does not exist is nan; an end that the sample cannot give is "unbounded". Distances in m, variances in m2.
   runs        total; blocks: of how many independent runs, pairs or hypercubes; count by status: slid, stable, left_domain, diverged;
@@ -42,6 +43,8 @@ interval that does not exist is nan; an end that the sample cannot give is "unbo
               reach it had: means and quantiles are then lower bounds and lose their upper end. Diverged runs are left out of moments;
               intervals of quantiles and probabilities allow for any reach of theirs. Kurtosis is 3 for a Normal. Intervals: mean by
               Student, variance and sd by Bonett (with the kurtosis), quantiles by order statistics, skewness and kurtosis by bootstrap
+              Of a reach that is the same in all runs, such as the influence distance of slopes that all stand, the mean has no interval
+              and the spread is nan; probability_of_failure has its interval as always
   standard_error_of_mean standard_error_of_variance standard_error_of_sd
               the latter two with the kurtosis
   bootstrap_mean bootstrap_variance bootstrap_sd

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace slidezone {
 
@@ -42,8 +42,6 @@ static Sample failures(std::span<const Row> rows) {
 }
 
 Ensemble ensemble_of(std::span<const Row> rows) {
-  if (std::none_of(rows.begin(), rows.end(), is_random))
-    throw Error(ExitCode::data, "found only realization 0, the deterministic run; statistics want random realizations 1, 2, ...");
   return {reach_of(rows, "influence_m", &Row::influence), reach_of(rows, "runout_m", &Row::runout), failures(rows)};
 }
 
@@ -81,6 +79,17 @@ static std::vector<std::string> cautions_on_blocks(std::span<const Row> rows) {
   return texts;
 }
 
+static std::vector<std::string> cautions_on_spread(const Ensemble& ensemble) {
+  std::vector<std::string> texts;
+  for (const Reach* reach : {&ensemble.influence, &ensemble.runout}) {
+    const Moments moments = moments_of(known_values(reach->sample));
+    if (moments.count() >= 2 && moments.minimum() == moments.maximum())
+      texts.push_back(reach->quantity + " is " + format_brief(moments.mean()) + " in all " + std::to_string(moments.count()) +
+                      " runs: they tell nothing of its spread, and its mean has no interval");
+  }
+  return texts;
+}
+
 std::vector<std::string> cautions(std::span<const Row> rows) {
   std::vector<std::string> texts = cautions_on_blocks(rows);
   const std::size_t censored = count_of(rows, Status::left_domain);
@@ -93,6 +102,7 @@ std::vector<std::string> cautions(std::span<const Row> rows) {
     texts.push_back(std::to_string(diverged) +
                     " of the runs diverged: means leave them out, bands of probabilities and quantiles allow "
                     "for any reach of theirs");
+  for (std::string& text : cautions_on_spread(ensemble_of(rows))) texts.push_back(std::move(text));
   return texts;
 }
 

@@ -9,7 +9,6 @@
 // Every random realization is in every sample, so that P(reach > x) is the probability that a slope of this kind both fails and
 // reaches x. Realization 0, the deterministic run, is no member of the random sample: it is kept apart.
 // A run knows the block it was drawn in (antithetic pair, Latin hypercube), so that intervals count what is independent.
-// Throws Error(ExitCode::data) where there is no random realization.
 #pragma once
 
 #include <optional>
@@ -51,8 +50,8 @@ struct BlockCount {
 };
 BlockCount block_count(std::span<const Row> rows);
 
-/// What a reader of any result must know of runs that are censored or diverged, and of blocks that are incomplete or too few; empty where
-/// there is nothing of the kind.
+/// What a reader of any result must know of runs that are censored or diverged, of blocks that are incomplete or too few, and of a reach
+/// that is the same in all runs (all slopes stable, say); empty where there is nothing of the kind.
 std::vector<std::string> cautions(std::span<const Row> rows);
 
 }  // namespace slidezone

@@ -102,9 +102,10 @@ static void append_rows(std::vector<PlacedRow>& rows, std::string_view bytes, co
   for (std::size_t i = 0; i < table.row_count(); ++i) rows.push_back({row_of(table, i), table.where(i)});
 }
 
+static bool is_random(const PlacedRow& placed) { return placed.row.realization > 0; }
+
 /// Realization 0 is of no design: it is not drawn.
 static void check_designs(std::span<const PlacedRow> rows) {
-  const auto is_random = [](const PlacedRow& placed) { return placed.row.realization > 0; };
   const auto first = std::find_if(rows.begin(), rows.end(), is_random);
   const auto other =
       std::find_if(first, rows.end(), [&](const PlacedRow& placed) { return is_random(placed) && placed.row.design != first->row.design; });
@@ -138,11 +139,35 @@ std::vector<Row> parse_rows(std::string_view bytes, const std::string& name) {
   return sorted(std::move(rows));
 }
 
+static void check_count(std::span<const PlacedRow> rows) {
+  const auto count = std::count_if(rows.begin(), rows.end(), is_random);
+  if (count >= 2) return;
+  const auto only = std::find_if(rows.begin(), rows.end(), is_random);
+  fail_at((only == rows.end() ? rows.back() : *only).where,
+          count == 0 ? "found only realization 0, the deterministic run; statistics want random realizations 1, 2, ..."
+                     : "found one random realization, statistics want at least two; mpmrun's row says what there is to say of one");
+}
+
+static void check_spread(std::span<const PlacedRow> rows) {
+  std::vector<const PlacedRow*> slides;
+  for (const PlacedRow& placed : rows) {
+    if (is_random(placed) && placed.row.status == Status::slid) slides.push_back(&placed);
+  }
+  if (slides.size() < 2) return;
+  const double first = slides.front()->row.runout;
+  if (std::all_of(slides.begin(), slides.end(), [&](const PlacedRow* slide) { return slide->row.runout == first; }))
+    fail_at(slides[1]->where, "column 'runout_m': found " + format_real(first) + " in each of the " + std::to_string(slides.size()) +
+                                  " runs that slid, expected that they differ; were runs copied, or does the field not vary?");
+}
+
 std::vector<Row> read_rows(std::span<const std::string> paths) {
   std::vector<PlacedRow> rows;
   for (const std::string& path : paths) append_rows(rows, read_input(path), input_name(path));
-  if (rows.empty()) fail_at({input_name(paths.back())}, "found a header without rows, expected at least one row");
-  return sorted(std::move(rows));
+  if (rows.empty()) fail_at({input_name(paths.back())}, "found a header without rows, expected at least two rows of random realizations");
+  std::vector<Row> result = sorted(rows);
+  check_count(rows);
+  check_spread(rows);
+  return result;
 }
 
 }  // namespace slidezone

@@ -11,7 +11,9 @@
 // stands twice is an error even where both rows are equal: a table given twice would otherwise narrow every interval.
 //
 // Throws Error(ExitCode::data) with file:line for unknown or missing columns, an unknown status, a number that is missing
-// or not finite, and numbers that stand twice.
+// or not finite, numbers that stand twice, and realizations of two designs. A study's rows (read_rows) are refused besides where they hold no
+// two random realizations, and where every slide of them runs equally far to the last digit: no two random fields do that, so runs were
+// copied, or the field does not vary. The influence distance may: it moves in whole columns of cells. So may stable slopes.
 #pragma once
 
 #include <cstdint>
@@ -62,7 +64,7 @@ std::string checksum(std::span<const Row> rows);
 /// All rows of one table or of several concatenated ones, by realization; `name` is the file's name in messages.
 std::vector<Row> parse_rows(std::string_view bytes, const std::string& name);
 
-/// All rows of several files ("-" is stdin), by realization; at least one.
+/// The rows of a study from several files ("-" is stdin), by realization; at least two random ones.
 std::vector<Row> read_rows(std::span<const std::string> paths);
 
 }  // namespace slidezone

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "core/text.hpp"
 #include "stats/distribution.hpp"
@@ -53,34 +55,37 @@ static double plain_variance_error(const Moments& moments) {
   return moments.variance() * std::sqrt(std::max(moments.kurtosis() - (n - 3) / (n - 1), 0.0) / n);
 }
 
-static void add_standard_errors(Statistics& statistics, const std::string& quantity, const Sample& sample, const Moments& moments) {
+/// Of mean, variance and sd.
+static std::vector<std::pair<std::string, double>> standard_errors(const Sample& sample, const Moments& moments) {
   const Blocks blocks = known_blocks(sample);
   const double of_variance = has_blocks(sample) ? variance_error(blocks) : plain_variance_error(moments);
-  statistics.add(quantity, "standard_error_of_mean", mean_error(blocks), moments.count());
-  statistics.add(quantity, "standard_error_of_variance", of_variance, moments.count());
-  statistics.add(quantity, "standard_error_of_sd", of_variance / (2 * moments.standard_deviation()), moments.count());
+  return {{"mean", mean_error(blocks)}, {"variance", of_variance}, {"sd", of_variance / (2 * moments.standard_deviation())}};
 }
 
+/// What equal values do not tell is nan.
 static void add_moments(Statistics& statistics, const Reach& reach, const Resampling& resampling) {
-  const std::vector<double> values = known_values(reach.sample);
-  const Moments moments = moments_of(values);
+  const Moments moments = moments_of(known_values(reach.sample));
+  const bool has_spread = moments.variance() > 0;
   const bool is_complete = count_of(reach.sample, Knowledge::at_least) == 0;
   const MomentIntervals resampled =
       is_complete ? bootstrap_intervals(known_blocks(reach.sample), reach.quantity, resampling) : MomentIntervals{};
   const Estimate variance = variance_estimate(reach.sample);
   const std::size_t n = moments.count();
   const auto add = [&](const std::string& name, const Estimate& estimate) { statistics.add(reach.quantity, name, estimate, n); };
+  const auto add_of_spread = [&](const std::string& name, const Estimate& estimate) {
+    add(name, has_spread ? estimate : Estimate{nan, no_interval});
+  };
   add("mean", mean_estimate(reach.sample));
-  add("variance", variance);
-  add("sd", root(variance));
-  add("skewness", {moments.skewness(), resampled.skewness});
-  add("kurtosis", {moments.kurtosis(), resampled.kurtosis});
+  add_of_spread("variance", variance);
+  add_of_spread("sd", root(variance));
+  add_of_spread("skewness", {moments.skewness(), resampled.skewness});
+  add_of_spread("kurtosis", {moments.kurtosis(), resampled.kurtosis});
   add("min", {moments.minimum(), no_interval});
   add("max", {moments.maximum(), no_interval});
-  add_standard_errors(statistics, reach.quantity, reach.sample, moments);
-  add("bootstrap_mean", {moments.mean(), resampled.mean});
-  add("bootstrap_variance", {moments.variance(), resampled.variance});
-  add("bootstrap_sd", root({moments.variance(), resampled.variance}));
+  for (const auto& [name, error] : standard_errors(reach.sample, moments)) add_of_spread("standard_error_of_" + name, {error, no_interval});
+  add_of_spread("bootstrap_mean", {moments.mean(), resampled.mean});
+  add_of_spread("bootstrap_variance", {moments.variance(), resampled.variance});
+  add_of_spread("bootstrap_sd", root({moments.variance(), resampled.variance}));
 }
 
 static void add_quantiles(Statistics& statistics, const Reach& reach) {

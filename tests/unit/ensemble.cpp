@@ -3,9 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
 #include <vector>
-
-#include "core/error.hpp"
 
 namespace slidezone {
 namespace {
@@ -45,13 +44,13 @@ TEST(Ensemble, CountsFailuresAmongTheRunsThatTell) {
 
 TEST(Ensemble, CautionsOnlyWhereThereIsDoubt) {
   EXPECT_EQ(cautions(one_of_each).size(), 2u);
-  EXPECT_TRUE(cautions(std::vector<Row>{row(0, Status::diverged, 0, 0), row(1, Status::stable, 0, 0)}).empty());
+  EXPECT_TRUE(cautions(std::vector<Row>{row(0, Status::diverged, 0, 0), row(1, Status::stable, 0, 0), row(2, Status::slid, 1, 1)}).empty());
 }
 
 TEST(Ensemble, KnowsTheBlocksOfItsRuns) {
   std::vector<Row> rows = {row(0, Status::slid, 9, 18)};
   for (std::uint64_t k = 1; k <= 39; ++k) {
-    rows.push_back(row(k, Status::slid, 10, 20));
+    rows.push_back(row(k, Status::slid, 10 + static_cast<double>(k), 20 + static_cast<double>(k)));
     rows.back().design = Design::antithetic;
     rows.back().block = (k + 1) / 2;
   }
@@ -70,7 +69,13 @@ TEST(Ensemble, KnowsTheBlocksOfItsRuns) {
   EXPECT_FALSE(has_blocks(ensemble_of(rows).failure));
 }
 
-TEST(Ensemble, WantsARandomRun) { EXPECT_THROW(ensemble_of(std::span(one_of_each).first(1)), Error); }
+TEST(Ensemble, CautionsAgainstAReachWithoutSpread) {
+  std::vector<Row> rows = {row(1, Status::stable, 0, 0.1), row(2, Status::stable, 0, 0.2)};
+  EXPECT_EQ(cautions(rows),
+            std::vector<std::string>{"influence_m is 0 in all 2 runs: they tell nothing of its spread, and its mean has no interval"});
+  rows.pop_back();
+  EXPECT_TRUE(cautions(rows).empty());
+}
 
 }  // namespace
 }  // namespace slidezone
