@@ -22,39 +22,39 @@ namespace {  // compiled once per instruction set: no symbol may be shared betwe
 }
 
 /// Keeps the gradients for later, and sums V and V d over cells.
-[[gnu::always_inline]] inline void sum_dilation(const SweepData& data, Block block, const BlockWeights& weights,
+[[gnu::always_inline]] inline void sum_dilation(const SweepData& data, auto block, const BlockWeights& weights,
                                                 const BlockGradients& gradients) {
   const Dilation& dilation = *data.dilation;
   for (int p = 0; p < block.count; ++p) {
     const std::size_t point = block.first + static_cast<std::size_t>(p);
     const int cell = cell_of(weights, p, data.storage.rows);
-    dilation.xx[point] = gradients.xx[p];
-    dilation.xy[point] = gradients.xy[p];
-    dilation.yx[point] = gradients.yx[p];
-    dilation.yy[point] = gradients.yy[p];
+    dilation.xx[point] = gradients[p].xx;
+    dilation.xy[point] = gradients[p].xy;
+    dilation.yx[point] = gradients[p].yx;
+    dilation.yy[point] = gradients[p].yy;
     dilation.cell[point] = cell;
     dilation.cell_volume[cell] += data.volume[point];
-    dilation.cell_dilation[cell] += data.volume[point] * (gradients.xx[p] + gradients.yy[p]);
+    dilation.cell_dilation[cell] += data.volume[point] * (gradients[p].xx + gradients[p].yy);
   }
 }
 
 /// The kept gradients with the mean volume change of their cells.
-[[gnu::always_inline]] inline void mean_gradients(const SweepData& data, Block block, BlockGradients& gradients) {
+[[gnu::always_inline]] inline void mean_gradients(const SweepData& data, auto block, BlockGradients& gradients) {
   const Dilation& dilation = *data.dilation;
   for (int p = 0; p < block.count; ++p) {
     const std::size_t point = block.first + static_cast<std::size_t>(p);
     const int cell = dilation.cell[point];
     const double mean = dilation.cell_dilation[cell] / dilation.cell_volume[cell];
     const double half = 0.5 * (mean - (dilation.xx[point] + dilation.yy[point]));
-    gradients.xx[p] = dilation.xx[point] + half;
-    gradients.yy[p] = dilation.yy[point] + half;
-    gradients.xy[p] = dilation.xy[point];
-    gradients.yx[p] = dilation.yx[point];
+    gradients[p].xx = dilation.xx[point] + half;
+    gradients[p].yy = dilation.yy[point] + half;
+    gradients[p].xy = dilation.xy[point];
+    gradients[p].yx = dilation.yx[point];
   }
 }
 
 /// Sums V and V p over the cells of the moved points.
-[[gnu::always_inline]] inline void sum_pressure(const SweepData& data, Block block, const BlockWeights& weights) {
+[[gnu::always_inline]] inline void sum_pressure(const SweepData& data, auto block, const BlockWeights& weights) {
   const Dilation& dilation = *data.dilation;
   for (int p = 0; p < block.count; ++p) {
     const std::size_t point = block.first + static_cast<std::size_t>(p);
@@ -70,7 +70,7 @@ struct MeanStress {
   double xx[block_size], yy[block_size];
 };
 
-[[gnu::always_inline]] inline void mean_stress(const SweepData& data, Block block, MeanStress& mean) {
+[[gnu::always_inline]] inline void mean_stress(const SweepData& data, auto block, MeanStress& mean) {
   const Dilation& dilation = *data.dilation;
   for (int p = 0; p < block.count; ++p) {
     const std::size_t point = block.first + static_cast<std::size_t>(p);

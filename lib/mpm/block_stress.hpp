@@ -9,10 +9,11 @@
 namespace slidezone {
 namespace {  // compiled once per instruction set: no symbol may be shared between them
 
-/// Velocity gradients of a block's points, 1/s: xy is the derivative of v_x along y.
-struct BlockGradients {
-  double xx[block_size], xy[block_size], yx[block_size], yy[block_size];
+/// Velocity gradient, 1/s: xy is the derivative of v_x along y.
+struct Gradient {
+  double xx, yx, xy, yy;
 };
+using BlockGradients = Gradient[block_size];
 
 struct Increment {
   double xx, yy, xy;  // strain increments; xy is half the engineering shear
@@ -48,7 +49,7 @@ template <SoilTraits traits>
 }
 
 template <SoilTraits traits>
-[[gnu::always_inline]] inline StressUpdate update_stress(const SweepData& data, Block block, const BlockGradients& gradients) {
+[[gnu::always_inline]] inline StressUpdate update_stress(const SweepData& data, auto block, const BlockGradients& gradients) {
   double* xx = data.xx + block.first;
   double* yy = data.yy + block.first;
   double* zz = data.zz + block.first;
@@ -65,8 +66,8 @@ template <SoilTraits traits>
 #pragma GCC ivdep
   for (int p = 0; p < block.count; ++p) {
     const SoilConstants& soil = soil_of_point<traits>(soils, soil_of, p);
-    const Increment strain{gradients.xx[p] * step, gradients.yy[p] * step, 0.5 * (gradients.xy[p] + gradients.yx[p]) * step,
-                           0.5 * (gradients.xy[p] - gradients.yx[p]) * step};
+    const Increment strain{gradients[p].xx * step, gradients[p].yy * step, 0.5 * (gradients[p].xy + gradients[p].yx) * step,
+                           0.5 * (gradients[p].xy - gradients[p].yx) * step};
     const Stress old{xx[p], yy[p], zz[p], xy[p]};
     Stress now = trial_stress(old, strain, soil.bulk, soil.shear);
     const YieldSurface yield = yield_surface<traits>(soil, peak_cohesion[p], softening_strain[p]);
@@ -82,7 +83,7 @@ template <SoilTraits traits>
   return {block_sum(work), broken != 0};
 }
 
-[[gnu::always_inline]] inline void move(const SweepData& data, Block block) {
+[[gnu::always_inline]] inline void move(const SweepData& data, auto block) {
   double* x = data.x + block.first;
   double* y = data.y + block.first;
   const double* movement = data.movement + 2 * block.first;

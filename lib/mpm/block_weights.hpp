@@ -11,8 +11,13 @@ namespace {  // compiled once per instruction set: no symbol may be shared betwe
 
 constexpr int block_size = 64;  // points a block: its arrays stay in the first-level cache
 
-/// Points first, first + 1, ... of one block.
-struct Block {
+/// Points first, first + 1, ... of one block. The count of a full one is known to the compiler, whose vector loops then need
+/// no remainder; the functions on blocks take either.
+struct FullBlock {
+  std::size_t first;
+  static constexpr int count = block_size;
+};
+struct LastBlock {
   std::size_t first;
   int count;
 };
@@ -40,8 +45,8 @@ struct FirstNodes {
   bool is_lost;   // some point reaches beyond the box, or is not finite; its first node is kept within the box all the same
 };
 
-[[gnu::always_inline]] inline FirstNodes weigh_axis(const double* position, int count, Axis axis, double* s, double* q, double* r) {
-  if (count < 1) __builtin_unreachable();  // blocks are never empty
+[[gnu::always_inline]] inline FirstNodes weigh_axis(const double* position, auto block, Axis axis, double* s, double* q, double* r) {
+  if (block.count < 1) __builtin_unreachable();  // blocks are never empty
   FirstNodes first;
   const double half_size = axis.half_size;
   const double over_4l = inverse_4l(half_size);
@@ -49,7 +54,7 @@ struct FirstNodes {
   const double high = axis.high;
   long lost = 0;  // as wide as a double, so that both fill the same vector
 #pragma GCC ivdep
-  for (int p = 0; p < count; ++p) {
+  for (int p = 0; p < block.count; ++p) {
     const double in_cells = position[p] * axis.inverse_cell;
     const double place = in_cells - half_size + NodeStorage::padding;
     const double at_least = place > low ? place : low;
@@ -63,7 +68,7 @@ struct FirstNodes {
   }
   first.low = axis.high;
   first.high = axis.low;
-  for (int p = 0; p < count; ++p) {
+  for (int p = 0; p < block.count; ++p) {
     first.low = first.node[p] < first.low ? first.node[p] : first.low;
     first.high = first.node[p] > first.high ? first.node[p] : first.high;
   }
@@ -77,13 +82,13 @@ struct Reached {
   bool is_lost;
 };
 
-[[gnu::always_inline]] inline Reached weigh(const SweepData& data, Block block, BlockWeights& weights) {
+[[gnu::always_inline]] inline Reached weigh(const SweepData& data, auto block, BlockWeights& weights) {
   constexpr int reach = 3;  // nodes along each axis
-  const FirstNodes in_x = weigh_axis(data.x + block.first, block.count,
-                                     {1 / data.grid.cell_x, data.half_size_x, data.box.first_column, data.box.last_column - reach},
-                                     weights.s_x, weights.q_x, weights.r_x);
+  const FirstNodes in_x =
+      weigh_axis(data.x + block.first, block, {1 / data.grid.cell_x, data.half_size_x, data.box.first_column, data.box.last_column - reach},
+                 weights.s_x, weights.q_x, weights.r_x);
   const FirstNodes in_y =
-      weigh_axis(data.y + block.first, block.count, {1 / data.grid.cell_y, data.half_size_y, data.box.first_row, data.box.last_row - reach},
+      weigh_axis(data.y + block.first, block, {1 / data.grid.cell_y, data.half_size_y, data.box.first_row, data.box.last_row - reach},
                  weights.s_y, weights.q_y, weights.r_y);
   for (int p = 0; p < block.count; ++p) weights.base[p] = in_x.node[p] * data.storage.rows + in_y.node[p];
   return {{in_x.low, in_x.high + reach, in_y.low, in_y.high + reach}, in_x.is_lost || in_y.is_lost};

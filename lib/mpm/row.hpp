@@ -2,6 +2,8 @@
 // one AVX-512 register, two of AVX2, or four of baseline x86-64; the compiler's flags choose. Included by sweeps.cpp alone.
 #pragma once
 
+#include <immintrin.h>
+
 namespace slidezone {
 namespace {  // compiled once per instruction set: no symbol may be shared between them
 
@@ -49,30 +51,48 @@ template <int n>
   return a;
 }
 
+template <int n>
+[[gnu::always_inline]] inline Lanes<n> operator-(Lanes<n> a, Lanes<n> b) {
+  for (int k = 0; k < Lanes<n>::chunks; ++k) a.chunk[k] -= b.chunk[k];
+  return a;
+}
+
 using Row = Lanes<8>;
 using MassRow = Lanes<4>;  // one number a node
+using Pairs = Lanes<4>;    // two pairs
 
-/// (a, b, a, b, ...)
-[[gnu::always_inline]] inline Row pairs(double a, double b) {
+/// (x, y, x, y, ...) of the pair at `from`.
+[[gnu::always_inline]] inline Row repeated(const double* from) {
   Row row;
-  for (auto& chunk : row.chunk)
-    for (int lane = 0; lane < Row::chunk_size; lane += 2) {
-      chunk[lane] = a;
-      chunk[lane + 1] = b;
-    }
+#if defined(__AVX512F__)
+  row.chunk[0] = _mm512_maskz_broadcast_f64x2(0xff, _mm_loadu_pd(from));
+#elif defined(__AVX2__)
+  row.chunk[0] = row.chunk[1] = _mm256_broadcast_pd(reinterpret_cast<const __m128d*>(from));
+#else
+  row.chunk[0] = row.chunk[1] = row.chunk[2] = row.chunk[3] = _mm_loadu_pd(from);
+#endif
   return row;
 }
 
-struct Pair {
-  double x;
-  double y;
-};
-
-/// Sums over the row's first three nodes; the fourth holds zero by its weight.
-[[gnu::always_inline]] inline Pair sum_over_nodes(const Row& row) {
-  double lane[8];
-  row.store(lane);
-  return {lane[0] + lane[2] + lane[4], lane[1] + lane[3] + lane[5]};
+/// Sums of two rows over their four nodes: (x of a, y of a, x of b, y of b).
+[[gnu::always_inline]] inline Pairs sums_over_nodes(const Row& a, const Row& b) {
+  Pairs sums;
+#if defined(__AVX512F__)
+  const __m256d half_a = _mm256_add_pd(__builtin_shufflevector(a.chunk[0], a.chunk[0], 0, 1, 2, 3),
+                                       __builtin_shufflevector(a.chunk[0], a.chunk[0], 4, 5, 6, 7));
+  const __m256d half_b = _mm256_add_pd(__builtin_shufflevector(b.chunk[0], b.chunk[0], 0, 1, 2, 3),
+                                       __builtin_shufflevector(b.chunk[0], b.chunk[0], 4, 5, 6, 7));
+#elif defined(__AVX2__)
+  const __m256d half_a = a.chunk[0] + a.chunk[1];
+  const __m256d half_b = b.chunk[0] + b.chunk[1];
+#endif
+#if defined(__AVX2__)
+  sums.chunk[0] = _mm256_permute2f128_pd(half_a, half_b, 0x20) + _mm256_permute2f128_pd(half_a, half_b, 0x31);
+#else
+  sums.chunk[0] = (a.chunk[0] + a.chunk[2]) + (a.chunk[1] + a.chunk[3]);
+  sums.chunk[1] = (b.chunk[0] + b.chunk[2]) + (b.chunk[1] + b.chunk[3]);
+#endif
+  return sums;
 }
 
 }  // namespace

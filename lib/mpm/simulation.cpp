@@ -40,18 +40,24 @@ double work_of_a_small_fall(const Points& points, const Model& model) {
   return mass * std::hypot(model.gravity.acceleration.x, model.gravity.acceleration.y) * part * height;
 }
 
-/// Orders points by the cell that they lie in, column by column; equal cells keep their order (counting sort).
-std::vector<int> order_by_cell(const Points& points, const NodeStorage& storage, const GridShape& grid) {
-  const auto cell_of = [&](std::size_t p) {
-    const double column = std::clamp(points.x[p] / grid.cell_x, 0.0, static_cast<double>(storage.columns - 1));
-    const double row = std::clamp(points.y[p] / grid.cell_y, 0.0, static_cast<double>(storage.rows - 1));
+/// Size of a point's domain in cells, halved.
+HalfSize half_size(const Model& model) {
+  if (model.method.shape_functions == ShapeFunctions::linear) return {0, 0};
+  return {0.5 * model.point_spacing_x / model.grid.cell_x, 0.5 * model.point_spacing_y / model.grid.cell_y};
+}
+
+/// Orders points by the first node that they reach, column by column; equal ones keep their order (counting sort).
+std::vector<int> order_by_node(const Points& points, const NodeStorage& storage, const GridShape& grid, HalfSize half) {
+  const auto node_of = [&](std::size_t p) {
+    const double column = std::clamp(points.x[p] / grid.cell_x - half.x + NodeStorage::padding, 0.0, storage.columns - 1.0);
+    const double row = std::clamp(points.y[p] / grid.cell_y - half.y + NodeStorage::padding, 0.0, storage.rows - 1.0);
     return storage.index(static_cast<int>(column), static_cast<int>(row));
   };
   std::vector<int> place(storage.count() + 1, 0);
-  for (std::size_t p = 0; p < points.count(); ++p) ++place[cell_of(p) + 1];
-  for (std::size_t cell = 1; cell < place.size(); ++cell) place[cell] += place[cell - 1];
+  for (std::size_t p = 0; p < points.count(); ++p) ++place[node_of(p) + 1];
+  for (std::size_t node = 1; node < place.size(); ++node) place[node] += place[node - 1];
   std::vector<int> order(points.count());
-  for (std::size_t p = 0; p < points.count(); ++p) order[static_cast<std::size_t>(place[cell_of(p)]++)] = static_cast<int>(p);
+  for (std::size_t p = 0; p < points.count(); ++p) order[static_cast<std::size_t>(place[node_of(p)]++)] = static_cast<int>(p);
   return order;
 }
 
@@ -65,12 +71,6 @@ std::vector<int> order_by_label(const Points& points) {
 NodeBox grown(const NodeBox& box, const NodeStorage& storage) {
   return {std::max(0, box.first_column - 1), std::min(storage.columns - 1, box.last_column + 1), std::max(0, box.first_row - 1),
           std::min(storage.rows - 1, box.last_row + 1)};
-}
-
-/// Size of a point's domain in cells, halved.
-HalfSize half_size(const Model& model) {
-  if (model.method.shape_functions == ShapeFunctions::linear) return {0, 0};
-  return {0.5 * model.point_spacing_x / model.grid.cell_x, 0.5 * model.point_spacing_y / model.grid.cell_y};
 }
 
 /// Storage of what averaging over cells needs.
@@ -161,7 +161,7 @@ class Run {
 
   /// One step; false ends the run.
   bool advance(double time) {
-    if (steps_ % sort_interval == 0) points_ = reordered(points_, order_by_cell(points_, nodes_.storage, model_.grid));
+    if (steps_ % sort_interval == 0) points_ = reordered(points_, order_by_node(points_, nodes_.storage, model_.grid, half_size(model_)));
     if (nonlocal_ && steps_ % average_interval_ == 0) nonlocal_->update(points_, points_.softening_strain);
     box_ = grown(box_, nodes_.storage);
     clear_sums(nodes_, box_);

@@ -11,10 +11,9 @@ namespace {
 
 template <class Act>
 [[gnu::always_inline]] inline void for_each_block(const SweepData& data, Act act) {
-  for (std::size_t first = 0; first < data.point_count; first += block_size) {
-    const std::size_t left = data.point_count - first;
-    act(Block{first, left < block_size ? static_cast<int>(left) : block_size});
-  }
+  std::size_t first = 0;
+  for (; first + block_size <= data.point_count; first += block_size) act(FullBlock{first});
+  if (first < data.point_count) act(LastBlock{first, static_cast<int>(data.point_count - first)});
 }
 
 NodeBox joined(const NodeBox& a, const NodeBox& b) {
@@ -45,7 +44,7 @@ enum class Map { yes, no };
 template <SoilTraits traits, Map map>
 SweepReport update_and_map(const SweepData& data) {
   SweepReport report = empty_report(data);
-  for_each_block(data, [&](Block block) {
+  for_each_block(data, [&](auto block) {
     BlockWeights weights;
     BlockGradients gradients;
     weigh(data, block, weights);
@@ -59,7 +58,7 @@ SweepReport update_and_map(const SweepData& data) {
 }
 
 void gather_dilation(const SweepData& data) {
-  for_each_block(data, [&](Block block) {
+  for_each_block(data, [&](auto block) {
     BlockWeights weights;
     BlockGradients gradients;
     weigh(data, block, weights);
@@ -71,7 +70,7 @@ void gather_dilation(const SweepData& data) {
 template <SoilTraits traits>
 SweepReport update_with_mean_dilation(const SweepData& data) {
   SweepReport report = empty_report(data);
-  for_each_block(data, [&](Block block) {
+  for_each_block(data, [&](auto block) {
     BlockWeights weights;
     BlockGradients gradients;
     mean_gradients(data, block, gradients);
@@ -84,7 +83,7 @@ SweepReport update_with_mean_dilation(const SweepData& data) {
 }
 
 void map_with_mean_stress(const SweepData& data) {
-  for_each_block(data, [&](Block block) {
+  for_each_block(data, [&](auto block) {
     BlockWeights weights;
     MeanStress mean;
     weigh(data, block, weights);
@@ -97,7 +96,7 @@ void map_with_mean_stress(const SweepData& data) {
 
 SweepReport move_and_map_momentum(const SweepData& data) {
   SweepReport report = empty_report(data);
-  for_each_block(data, [&](Block block) {
+  for_each_block(data, [&](auto block) {
     BlockWeights weights;
     move(data, block);
     join(report, weigh(data, block, weights));
@@ -109,7 +108,7 @@ SweepReport move_and_map_momentum(const SweepData& data) {
 template <SoilTraits traits>
 SweepReport update_and_map_force(const SweepData& data) {
   SweepReport report = empty_report(data);
-  for_each_block(data, [&](Block block) {
+  for_each_block(data, [&](auto block) {
     BlockWeights weights;
     BlockGradients gradients;
     join(report, weigh(data, block, weights));
@@ -125,7 +124,7 @@ SweepReport update_and_map_force(const SweepData& data) {
 template <SecondMap second_map>
 double gather(const SweepData& data) {
   double damped = 0;
-  for_each_block(data, [&](Block block) {
+  for_each_block(data, [&](auto block) {
     BlockWeights weights;
     weigh(data, block, weights);
     damped += gather_block<second_map>(data, block, weights);

@@ -43,6 +43,8 @@ struct SoilConstants {
   double softening_shape = 0;
   double q_psi = 0;
   double tension_cutoff = 0;
+  double inverse_bulk = 0;  // a product takes a tenth of the time of a quotient
+  double inverse_shear = 0;
 };
 
 /// Stands for an infinite cut-off: finite, so that its product with q_phi = 0 is 0.
@@ -64,7 +66,9 @@ inline SoilConstants soil_constants(const Material& soil) {
           soil.softening_threshold,
           soil.softening_shape,
           cone_slope(soil.dilation_angle),
-          std::min(soil.tension_cutoff, no_cutoff)};
+          std::min(soil.tension_cutoff, no_cutoff),
+          1 / moduli.bulk,
+          1 / moduli.shear};
 }
 
 /// The yield surfaces at one plastic strain.
@@ -101,7 +105,7 @@ inline YieldSurface yield_surface(const SoilConstants& soil, double peak_cohesio
 /// Takes `stress` back to the yield surface where it lies outside; returns the increment of the equivalent plastic strain.
 template <SoilTraits traits>
 inline double return_to_yield(Stress& stress, const SoilConstants& soil, const YieldSurface& yield) {
-  const double mean = (stress.xx + stress.yy + stress.zz) / 3;
+  const double mean = (stress.xx + stress.yy + stress.zz) * (1.0 / 3.0);
   const double dev_xx = stress.xx - mean;
   const double dev_yy = stress.yy - mean;
   const double dev_zz = stress.zz - mean;
@@ -112,15 +116,15 @@ inline double return_to_yield(Stress& stress, const SoilConstants& soil, const Y
   double shear_multiplier = 0;
   double tension_multiplier = 0;
   if constexpr (!traits.has_cone) {
-    shear_multiplier = (tau > yield.k_c ? tau - yield.k_c : 0) / G;
+    shear_multiplier = (tau > yield.k_c ? tau - yield.k_c : 0) * soil.inverse_shear;
   } else {
     const double outside = tau + yield.q_phi * mean - yield.k_c;
     const double tau_at_cut = yield.k_c - yield.q_phi * yield.tension;
     const double shear_alone = (outside > 0 ? outside : 0) / (G + K * yield.q_phi * soil.q_psi);
     const bool is_above_cut = mean - K * soil.q_psi * shear_alone > yield.tension;
-    const double to_corner = tau > tau_at_cut ? (tau - tau_at_cut) / G : 0;
+    const double to_corner = tau > tau_at_cut ? (tau - tau_at_cut) * soil.inverse_shear : 0;
     shear_multiplier = is_above_cut ? to_corner : shear_alone;
-    tension_multiplier = is_above_cut ? (mean - yield.tension) / K - soil.q_psi * shear_multiplier : 0;
+    tension_multiplier = is_above_cut ? (mean - yield.tension) * soil.inverse_bulk - soil.q_psi * shear_multiplier : 0;
   }
 
   const double kept = tau > 0 ? 1 - G * shear_multiplier / tau : 1;
@@ -128,7 +132,7 @@ inline double return_to_yield(Stress& stress, const SoilConstants& soil, const Y
   const double new_mean = traits.has_cone ? mean - K * volumetric : mean;
   stress = {new_mean + kept * dev_xx, new_mean + kept * dev_yy, new_mean + kept * dev_zz, kept * stress.xy};
   if constexpr (!traits.has_cone) return shear_multiplier * std::sqrt(1.0 / 3.0);
-  return std::sqrt(shear_multiplier * shear_multiplier / 3 + 2.0 / 9.0 * volumetric * volumetric);
+  return std::sqrt(1.0 / 3.0 * shear_multiplier * shear_multiplier + 2.0 / 9.0 * volumetric * volumetric);
 }
 
 }  // namespace slidezone
