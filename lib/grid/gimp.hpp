@@ -22,9 +22,10 @@ struct AxisWeights {
 /// `inverse_4l` is 1 / (4 l), or 0 for linear shape functions.
 constexpr AxisWeights axis_weights(double in_cells, double first, double half_size, double inverse_4l) {
   const double s = in_cells - first;
-  const double reach = s + half_size - 1;
+  const double reach = s + (half_size - 1);
   const double o = reach > 0 ? reach : 0;
-  return {s, o * o * inverse_4l, 2 * o * inverse_4l};
+  const double half_r = o * inverse_4l;
+  return {s, o * half_r, half_r + half_r};
 }
 
 struct AxisValues {

@@ -52,19 +52,20 @@ struct FirstNodes {
   const double over_4l = inverse_4l(half_size);
   const double low = axis.low;
   const double high = axis.high;
+  const double above = high + 1;
   long lost = 0;  // as wide as a double, so that both fill the same vector
 #pragma GCC ivdep
   for (int p = 0; p < block.count; ++p) {
-    const double in_cells = position[p] * axis.inverse_cell;
-    const double place = in_cells - half_size + NodeStorage::padding;
+    const double in_cells = position[p] * axis.inverse_cell + NodeStorage::padding;
+    const double place = in_cells - half_size;
     const double at_least = place > low ? place : low;
     const int node = static_cast<int>(at_least < high ? at_least : high);
-    const AxisWeights weights = axis_weights(in_cells, node - NodeStorage::padding, half_size, over_4l);
+    const AxisWeights weights = axis_weights(in_cells, node, half_size, over_4l);
     first.node[p] = node;
     s[p] = weights.s;
     q[p] = weights.q;
     r[p] = weights.r;
-    lost |= place >= low && place < high + 1 ? 0L : 1L;
+    lost |= (place >= low) & (place < above) ? 0L : 1L;
   }
   first.low = axis.high;
   first.high = axis.low;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/vector_loop.hpp"
+
 namespace slidezone {
 
 Nodes::Nodes(NodeStorage where)
@@ -119,22 +121,52 @@ static double rubbed(double along, double pressed, double friction) {
   return std::copysign(std::max(0.0, std::abs(along) - friction * pressed), along);
 }
 
-/// v = momentum / m + dv, dv = dt (f / m + g), in place.
-static void balance_momentum(Nodes& nodes, const NodeBox& box, Vec2 gravity, const NodeSettings& settings) {
-  for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
-    const double* mass = nodes.mass.data() + first;
-    double* velocity = nodes.velocity.data() + 2 * first;
-    double* change = nodes.change.data() + 2 * first;
-    for (std::size_t k = 0; k < count; ++k) {
-      const bool is_filled = mass[k] > settings.least_mass;
-      const double inverse = is_filled ? 1 / mass[k] : 0;
-      const double fall = is_filled ? settings.step : 0;
-      change[2 * k] = settings.step * inverse * change[2 * k] + fall * gravity.x;
-      change[2 * k + 1] = settings.step * inverse * change[2 * k + 1] + fall * gravity.y;
-      velocity[2 * k] = velocity[2 * k] * inverse + change[2 * k];
-      velocity[2 * k + 1] = velocity[2 * k + 1] * inverse + change[2 * k + 1];
-    }
-  });
+/// v = momentum / m + dv, dv = dt (f / m + g), in place, for the nodes of one column.
+SLIDEZONE_VECTOR_LOOP static void balance_momentum(const double* mass, double* velocity, double* change, std::size_t count, Vec2 gravity,
+                                                   double least_mass, double step) {
+#pragma GCC ivdep
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool is_filled = mass[k] > least_mass;
+    const double inverse = is_filled ? 1 / mass[k] : 0;
+    const double fall = is_filled ? step : 0;
+    const double change_x = step * inverse * change[2 * k] + fall * gravity.x;
+    const double change_y = step * inverse * change[2 * k + 1] + fall * gravity.y;
+    change[2 * k] = change_x;
+    change[2 * k + 1] = change_y;
+    velocity[2 * k] = velocity[2 * k] * inverse + change_x;
+    velocity[2 * k + 1] = velocity[2 * k + 1] * inverse + change_y;
+  }
+}
+
+/// v = momentum / m in place, for the nodes of one column.
+SLIDEZONE_VECTOR_LOOP static void divide_by_mass(const double* mass, double* velocity, std::size_t count, double least_mass) {
+#pragma GCC ivdep
+  for (std::size_t k = 0; k < count; ++k) {
+    const double inverse = mass[k] > least_mass ? 1 / mass[k] : 0;
+    velocity[2 * k] *= inverse;
+    velocity[2 * k + 1] *= inverse;
+  }
+}
+
+/// Momentum of the nodes of one column, kg/s, and twice their kinetic energy, J/m.
+struct Motion {
+  Vec2 momentum;
+  double square;
+};
+
+SLIDEZONE_VECTOR_LOOP static Motion motion_of(const double* mass, const double* velocity, std::size_t count) {
+  double x = 0;
+  double y = 0;
+  double square = 0;
+#pragma omp simd reduction(+ : x, y, square)
+  for (std::size_t k = 0; k < count; ++k) {
+    const double along_x = mass[k] * velocity[2 * k];
+    const double along_y = mass[k] * velocity[2 * k + 1];
+    x += along_x;
+    y += along_y;
+    square += along_x * velocity[2 * k] + along_y * velocity[2 * k + 1];
+  }
+  return {{x, y}, square};
 }
 
 /// Base contact with friction; returns friction's work. Changes of velocity go into `change` too.
@@ -206,7 +238,10 @@ NodeEnergies update_velocities(Nodes& nodes, const NodeBox& box, Vec2 gravity, c
     fold_pairs(nodes.velocity, behind, before, mirror);
     fold_pairs(nodes.change, behind, before, mirror);
   });
-  balance_momentum(nodes, box, gravity, settings);
+  for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
+    balance_momentum(nodes.mass.data() + first, nodes.velocity.data() + 2 * first, nodes.change.data() + 2 * first, count, gravity,
+                     settings.least_mass, settings.step);
+  });
   touch_walls(nodes, box, settings);
   NodeEnergies energies;
   if (settings.boundaries.base == BaseContact::two_body) {
@@ -216,17 +251,9 @@ NodeEnergies update_velocities(Nodes& nodes, const NodeBox& box, Vec2 gravity, c
     energies.friction_work = touch_base(nodes, box, settings);
   }
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
-    const double* mass = nodes.mass.data() + first;
-    const double* velocity = nodes.velocity.data() + 2 * first;
-    double work = 0;
-    double kinetic = 0;
-#pragma omp simd reduction(+ : work, kinetic)
-    for (std::size_t k = 0; k < count; ++k) {
-      work += mass[k] * (gravity.x * velocity[2 * k] + gravity.y * velocity[2 * k + 1]);
-      kinetic += mass[k] * (velocity[2 * k] * velocity[2 * k] + velocity[2 * k + 1] * velocity[2 * k + 1]);
-    }
-    energies.gravity_work += settings.step * work;
-    energies.kinetic += 0.5 * kinetic;
+    const Motion motion = motion_of(nodes.mass.data() + first, nodes.velocity.data() + 2 * first, count);
+    energies.gravity_work += settings.step * (gravity.x * motion.momentum.x + gravity.y * motion.momentum.y);
+    energies.kinetic += 0.5 * motion.square;
   });
   for_each_image(nodes, box, settings, [&](std::size_t behind, std::size_t before, Mirror mirror) {
     reflect_pairs(nodes.velocity, behind, before, mirror);
@@ -246,13 +273,7 @@ void update_new_velocities(Nodes& nodes, const NodeBox& box, const NodeSettings&
   for_each_image(nodes, box, settings,
                  [&](std::size_t behind, std::size_t before, Mirror mirror) { fold_pairs(nodes.new_velocity, behind, before, mirror); });
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
-    const double* mass = nodes.mass.data() + first;
-    double* velocity = nodes.new_velocity.data() + 2 * first;
-    for (std::size_t k = 0; k < count; ++k) {
-      const double inverse = mass[k] > settings.least_mass ? 1 / mass[k] : 0;
-      velocity[2 * k] *= inverse;
-      velocity[2 * k + 1] *= inverse;
-    }
+    divide_by_mass(nodes.mass.data() + first, nodes.new_velocity.data() + 2 * first, count, settings.least_mass);
   });
   const auto hold = [&](Wall wall) {
     return [&nodes, wall](std::size_t node) { hold_at_wall(velocity_of(nodes.new_velocity, node), wall); };

@@ -19,8 +19,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.hpp"
 #include "soil/elasticity.hpp"
-#include "soil/exponential.hpp"
 #include "soil/material.hpp"
 
 namespace slidezone {
@@ -81,7 +81,7 @@ struct YieldSurface {
 /// Part of the peak strength that is left: 1 up to the threshold, then exp(-eta (e - e_0)).
 inline double unsoftened_part(const SoilConstants& soil, double plastic_strain) {
   const double beyond = plastic_strain - soil.softening_threshold;
-  return exp_of_negative(-soil.softening_shape * (beyond > 0 ? beyond : 0));
+  return portable_exp(-soil.softening_shape * (beyond > 0 ? beyond : 0));
 }
 
 template <SoilTraits traits>
@@ -94,7 +94,7 @@ inline YieldSurface yield_surface(const SoilConstants& soil, double peak_cohesio
     friction_angle = soil.residual_friction_angle + (soil.peak_friction_angle - soil.residual_friction_angle) * part;
   }
   if constexpr (!traits.has_cone) return {0, cohesion, 0};
-  const double tangent = std::tan(friction_angle);
+  const double tangent = portable_tangent(friction_angle);
   const double matched = 3 / std::sqrt(9 + 12 * tangent * tangent);
   const double q_phi = tangent * matched;
   const double k_c = cohesion * matched;

@@ -52,6 +52,11 @@ TEST(PortableMath, SineAndCosineAreAccurateToAnEighthOfATurn) {
   }
 }
 
+TEST(PortableMath, TangentIsAccurateNearlyToAQuarterOfATurn) {
+  for (int i = 1; i <= 1500; ++i) EXPECT_NEAR(portable_tangent(i * 0.001) / std::tan(i * 0.001), 1, 4e-15) << i;
+  EXPECT_EQ(portable_tangent(0), 0);
+}
+
 // ---- the scheme ----
 
 /// Numbers 2 block and 2 block + 1 as the header defines them, by the C library.
