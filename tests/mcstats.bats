@@ -326,3 +326,12 @@ refuses() {
   assert_near "$(value runout_m half_width:sd=1 <statistics)" "$(awk "BEGIN { print ($high - $low) / 2 }")" 1e-6
   assert_between "$high" "$(value runout_m sd 5 <statistics)" 1  # for a longer tail
 }
+
+@test "every family has p values by simulation, and those of gamma and gev tell a good fit from a bad one" {
+  # Quantiles of a Gumbel distribution, and of two heaps.
+  { row_header; awk 'BEGIN { OFS = "\t"; for (k = 1; k <= 200; ++k) { u = (k - 0.5) / 200
+      print k, "slid", 10 - 1.8 * log(-log(u)), 15 + (k > 100) * 5 + u, 0, 0, 0, 10, 100, 0.001, 0 } }'; } | mcstats >statistics
+  assert_between "$(value influence_m gev_anderson_darling_p <statistics)" 0.9 1
+  assert_between "$(value influence_m gamma_lilliefors_p <statistics)" 0.001 1
+  for family in normal lognormal gamma weibull gev; do assert_between "$(value runout_m ${family}_anderson_darling_p <statistics)" 0 0.005; done
+}

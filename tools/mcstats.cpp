@@ -53,8 +53,8 @@ interval that does not exist is nan; an end that the sample cannot give is "unbo
               the reach of realization 0 and P(reach > that), where the rows hold it; realization 0 enters nothing else
   mean_of_slides sd_of_slides, FAMILY_*
               given failure: of the runs that slid and stayed in the grid. FAMILY is normal, lognormal, gamma, weibull or gev:
-              parameters; chi_square with its bins, degrees of freedom and p; anderson_darling and lilliefors with p (simulated; nan
-              for gamma and gev); aic, the smaller the better. A large p from few runs says little
+              parameters; chi_square with its bins, degrees of freedom and p; anderson_darling and lilliefors with p (simulated);
+              aic, the smaller the better. A large p from few runs says little
   stop:RULE   1 where the rule is met, else 0
   half_width:RULE, runs_needed:RULE
               half of the rule's interval, and that interval; how many runs it will want, if the spread stays as it is
@@ -137,7 +137,7 @@ int main(int argc, char** argv) {
       ->check(whole_number(2))
       ->type_name("N")
       ->capture_default_str();
-  app.add_option("--resamples", options.resampling.resamples, "Bootstrap resamples; half as many samples give a simulated p")
+  app.add_option("--resamples", options.resampling.resamples, "Bootstrap resamples; half as many samples give a simulated p, of gamma and gev an eighth")
       ->check(whole_number(200, 1'000'000))
       ->type_name("B")
       ->capture_default_str();

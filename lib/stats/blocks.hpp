@@ -5,7 +5,8 @@
 // - mean m: +- t_{B-1} sqrt(B / (B - 1) sum d_b^2) / n, d_b = sum over the block of (x - m). With blocks of one it is Student's.
 // - variance s^2: with e_b = (B / n) sum over the block of ((x - m)^2 / m_2 - 1), m_2 the mean of (x - m)^2, and V the mean of e_b^2, the
 //   interval is c s^2 exp(+- t_{B-1} c sqrt((V + 3 B / n^2) / (B - 1))), c = n / (n - t): Bonett's (interval.hpp) where blocks are of one,
-//   for V is then the kurtosis less 1. With `errors` > 0 V is raised by so many of its own standard errors: few runs show too little of a long tail.
+//   for V is then the kurtosis less 1. With `errors` > 0 V is raised by so many of its own standard errors: few runs show too little of a
+//   long tail.
 // - proportion: by the number of independent runs that would tell as much, n / D (t_{n-1} / t_{B-1})^2 (Korn and Graubard 1998, "Confidence
 //   intervals for proportions with small expected number of positive counts", Surv. Methodol. 24, 193-201), at most n. D is the design
 //   effect: the variance of the share between blocks over that of independent runs. Where all runs agree the sample shows none, and it is

@@ -110,6 +110,17 @@ static double gev_log_density(const std::vector<double>& parameters, double x) {
   return std::isnan(y) ? -infinity : -std::log(parameters[1]) - (1 + parameters[2]) * y - std::exp(-y);
 }
 
+/// Minus the mean log density; infinite where a value lies outside the support.
+static double gev_cost(const std::vector<double>& parameters, std::span<const double> values) {
+  double sum = 0;
+  for (const double x : values) {
+    const double y = gumbel_variate((x - parameters[0]) / parameters[1], parameters[2]);
+    if (std::isnan(y)) return infinity;
+    sum += (1 + parameters[2]) * y + std::exp(-y);
+  }
+  return std::log(parameters[1]) + sum / static_cast<double>(values.size());
+}
+
 /// Hosking, Wallis and Wood (1985): parameters from the first three probability-weighted moments.
 static std::vector<double> gev_by_weighted_moments(std::span<const double> values) {
   std::vector<double> x(values.begin(), values.end());
@@ -138,10 +149,7 @@ static std::optional<Fit> fit_gev(std::span<const double> values) {
   };
   const auto cost = [&](std::span<const double> place) {  // below shape -1 the likelihood has no bound
     if (place[2] <= -1) return infinity;
-    const std::vector<double> tried = parameters(place);
-    const double sum =
-        std::accumulate(values.begin(), values.end(), 0.0, [&](double s, double x) { return s + gev_log_density(tried, x); });
-    return -sum / static_cast<double>(values.size());
+    return gev_cost(parameters(place), values);
   };
   std::vector<double> start = {0, 0, first[2]};
   while (std::isinf(cost(start)) && start[2] < 1) start[2] += 0.1;  // until every value lies in the support

@@ -8,8 +8,9 @@
 // - Lilliefors (1967): D = max |F_n - F|, Kolmogorov's distance with estimated parameters.
 // p of A^2 and D: by simulation, as Lilliefors did: the share of samples of the family, fitted anew, that lie as far from their fit.
 // The law of A^2 and D then depends on n alone for a location-scale family (normal; lognormal and Weibull in ln x), so one simulation
-// serves all data. Above `simulated_at_most` values it is simulated at that n, with D scaled by sqrt(n) - 0.01 + 0.85 / sqrt(n)
-// (Stephens 1974). For gamma and GEV it depends on the shape: they get chi-square alone.
+// serves all data. For gamma and GEV it depends on the shape besides, which is taken as fitted: a parametric bootstrap (Stute, Gonzalez
+// Manteiga and Presedo Quindimil 1993). Above `simulated_at_most` values it is simulated at that n, with D scaled by
+// sqrt(n) - 0.01 + 0.85 / sqrt(n) (Stephens 1974).
 // No test proves a fit. Values on a lattice (an influence distance in whole cells) fail all three once there are many.
 #pragma once
 
@@ -39,7 +40,11 @@ struct Distances {
 };
 Distances distances(const Fit& fit, std::span<const double> values);
 
-inline constexpr std::size_t simulated_at_most = 1000;
+/// Values in a simulated sample: fewer where a fit is slow.
+inline constexpr std::size_t simulated_at_most(Family family) { return family == Family::gamma || family == Family::gev ? 100 : 1000; }
+
+/// Whether one simulation serves every member of the family.
+inline constexpr bool has_one_law(Family family) { return family != Family::gamma && family != Family::gev; }
 
 /// Simulated distances from their own fit of samples of a family.
 struct NullDistances {
@@ -48,8 +53,8 @@ struct NullDistances {
   std::vector<double> lilliefors;        // ascending, scaled
 };
 
-/// Nothing for families that have no law of their own (gamma, GEV) and for fewer than 5 values.
-std::optional<NullDistances> simulated_distances(Family family, std::size_t count, std::size_t simulations, std::uint64_t seed);
+/// Of samples of the fit's family and shape. Nothing for fewer than 5 values.
+std::optional<NullDistances> simulated_distances(const Fit& fit, std::size_t count, std::size_t simulations, std::uint64_t seed);
 
 /// P(a sample of the family lies as far from its fit), (1 + hits) / (1 + simulations).
 struct DistanceP {

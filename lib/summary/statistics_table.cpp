@@ -101,18 +101,28 @@ static void add_deterministic(Statistics& statistics, const Reach& reach) {
 
 // ---- fits ----
 
-/// Simulated distances by family; both quantities have as many slides, so one set serves both.
+/// Simulated distances of the families that have one law for all members; both quantities have as many slides, so one set serves both.
 using Simulations = std::map<Family, NullDistances>;
 
-static Simulations simulations_of(std::size_t count, const Resampling& resampling) {
+static Simulations shared_simulations(std::size_t count, const Resampling& resampling) {
   Simulations simulations;
   for (const Family family : {Family::normal, Family::weibull}) {
-    auto simulated = simulated_distances(family, count, resampling.resamples / 2, resampling.seed);
+    auto simulated = simulated_distances({family, {}}, count, resampling.resamples / 2, resampling.seed);
     if (simulated) simulations.emplace(family, *std::move(simulated));
   }
   if (const auto normal = simulations.find(Family::normal); normal != simulations.end())
     simulations.emplace(Family::lognormal, normal->second);  // the same law, in ln x
   return simulations;
+}
+
+static DistanceP p_values_of(const Fit& fit, const Distances& found, std::size_t count, const Simulations& shared,
+                             const Resampling& resampling) {
+  if (!has_one_law(fit.family)) {
+    const auto own = simulated_distances(fit, count, resampling.resamples / 8, resampling.seed);
+    return own ? p_values(found, count, *own) : DistanceP{nan, nan};
+  }
+  const auto simulated = shared.find(fit.family);
+  return simulated == shared.end() ? DistanceP{nan, nan} : p_values(found, count, simulated->second);
 }
 
 static void add_parameters(Statistics& statistics, const Reach& reach, Family family, const std::optional<Fit>& fit) {
@@ -125,7 +135,7 @@ static void add_parameters(Statistics& statistics, const Reach& reach, Family fa
 }
 
 static void add_goodness(Statistics& statistics, const Reach& reach, Family family, const std::optional<Fit>& fit,
-                         const Simulations& simulations) {
+                         const Simulations& simulations, const Resampling& resampling) {
   const std::vector<double> values = known_values(reach.slides);
   const bool is_independent = !has_blocks(reach.slides);  // what p values are of
   const auto add = [&](const std::string& what, double value) {
@@ -137,9 +147,7 @@ static void add_goodness(Statistics& statistics, const Reach& reach, Family fami
   add("chi_square_degrees_of_freedom", binned ? static_cast<double>(binned->degrees_of_freedom) : nan);
   add("chi_square_p", binned && is_independent ? binned->p : nan);
   const Distances found = fit ? distances(*fit, values) : Distances{nan, nan};
-  const auto simulated = simulations.find(family);
-  const DistanceP p =
-      fit && is_independent && simulated != simulations.end() ? p_values(found, values.size(), simulated->second) : DistanceP{nan, nan};
+  const DistanceP p = fit && is_independent ? p_values_of(*fit, found, values.size(), simulations, resampling) : DistanceP{nan, nan};
   const bool is_possible = std::isfinite(found.anderson_darling);
   add("anderson_darling", is_possible ? found.anderson_darling : nan);
   add("anderson_darling_p", p.anderson_darling);
@@ -148,13 +156,13 @@ static void add_goodness(Statistics& statistics, const Reach& reach, Family fami
   add("aic", fit ? akaike_criterion(*fit, values) : nan);
 }
 
-static void add_slides(Statistics& statistics, const Reach& reach, const Simulations& simulations) {
+static void add_slides(Statistics& statistics, const Reach& reach, const Simulations& simulations, const Resampling& resampling) {
   statistics.add(reach.quantity, "mean_of_slides", mean_estimate(reach.slides), reach.slides.size());
   statistics.add(reach.quantity, "sd_of_slides", root(variance_estimate(reach.slides)), reach.slides.size());
   for (const Family family : families) {
     const std::optional<Fit> fit = fit_of(family, known_values(reach.slides));
     add_parameters(statistics, reach, family, fit);
-    add_goodness(statistics, reach, family, fit, simulations);
+    add_goodness(statistics, reach, family, fit, simulations, resampling);
   }
 }
 
@@ -195,12 +203,12 @@ static void add_verdicts(Statistics& statistics, const Reach& reach, const Summa
 Table statistics_table(std::span<const Row> rows, const Ensemble& ensemble, const SummaryOptions& options) {
   Statistics statistics;
   add_runs(statistics, rows, ensemble, options.least_runs);
-  const Simulations simulations = simulations_of(ensemble.influence.slides.size(), options.resampling);
+  const Simulations simulations = shared_simulations(ensemble.influence.slides.size(), options.resampling);
   for (const Reach* reach : {&ensemble.influence, &ensemble.runout}) {
     add_moments(statistics, *reach, options.resampling);
     add_quantiles(statistics, *reach);
     add_deterministic(statistics, *reach);
-    add_slides(statistics, *reach, simulations);
+    add_slides(statistics, *reach, simulations, options.resampling);
     add_verdicts(statistics, *reach, options);
   }
   return statistics.table();
