@@ -12,11 +12,10 @@
 #include "core/provenance.hpp"
 #include "core/text.hpp"
 #include "core/tool.hpp"
-#include "ensemble/ensemble.hpp"
 #include "io/file.hpp"
 #include "io/table.hpp"
-#include "rows/row.hpp"
 #include "scene/scene.hpp"
+#include "summary/studies.hpp"
 #include "summary/zone_map.hpp"
 #include "summary/zone_tables.hpp"
 
@@ -82,42 +81,6 @@ Band band_of(const std::string& name) {
   return static_cast<Band>(std::find(band_names.begin(), band_names.end(), name) - band_names.begin());
 }
 
-/// The boundaries' notes; with tails, how each was fitted, for the result's provenance.
-void tell_boundaries(Provenance& origin, const NamedEnsemble& study, const ZoneOptions& zones) {
-  for (const std::string& text : thin_boundaries(study, zones)) note(text);
-  if (!zones.has_tails) return;
-  for (const Reach* reach : {&study.ensemble.influence, &study.ensemble.runout}) {
-    const std::string of = (study.name.empty() ? "" : study.name + " ") + reach->quantity;
-    const std::optional<TailFit> fit = tail_of(*reach, zones);
-    if (!fit)
-      warn("no tail fitted to " + of +
-           ": too few runs, or some left the grid, diverged or depend on each other; boundaries are of order statistics");
-    origin.details.emplace_back("tail of " + of, fit ? words_on(*fit) : "none");
-  }
-}
-
-NamedEnsemble read_study(const std::string& name, const std::vector<std::string>& paths, Provenance& origin) {
-  const std::vector<Row> rows = read_rows(paths);
-  const std::string prefix = name.empty() ? "" : name + " ";
-  for (const std::string& caution : cautions(rows)) warn(prefix + caution);
-  NamedEnsemble study{name, ensemble_of(rows)};
-  origin.details.emplace_back(prefix + "rows", checksum(rows));
-  origin.details.emplace_back(prefix + "realizations", std::to_string(study.ensemble.failure.size()));
-  return study;
-}
-
-std::vector<NamedEnsemble> read_studies(const Options& options, Provenance& origin) {
-  if (options.studies.empty()) return {read_study("", options.rows, origin)};
-  std::vector<NamedEnsemble> studies;
-  for (const std::string& text : options.studies) {
-    const std::string name = text.substr(0, text.find('='));
-    if (std::any_of(studies.begin(), studies.end(), [&](const NamedEnsemble& study) { return study.name == name; }))
-      throw Error(ExitCode::usage, "--study: '" + name + "' stands twice");
-    studies.push_back(read_study(name, {text.substr(name.size() + 1)}, origin));
-  }
-  return studies;
-}
-
 bool is_stdin_used_twice(const Options& options) {
   const auto is_stdin = [](const std::string& path) { return path == "-" || path.ends_with("=-"); };
   const std::vector<std::string>& paths = options.studies.empty() ? options.rows : options.studies;
@@ -156,7 +119,8 @@ void run(const Options& options) {
   if (options.has_tails && !has_boundaries) throw Error(ExitCode::usage, "--tail is of boundaries: it wants --classes or --map");
   const ZoneOptions zones{classes_of(options), band_of(options.band), options.has_tails};
   Provenance origin = provenance("slidezone-" + kind + (options.studies.empty() ? "" : "-of-studies") + " 1", "zoning");
-  const std::vector<NamedEnsemble> studies = read_studies(options, origin);
+  const std::vector<NamedEnsemble> studies =
+      options.studies.empty() ? std::vector{read_study("", options.rows, origin)} : read_studies(options.studies, origin);
   for (const NamedEnsemble& study : studies) {
     if (has_boundaries) tell_boundaries(origin, study, zones);
   }
