@@ -335,3 +335,21 @@ refuses() {
   assert_between "$(value influence_m gamma_lilliefors_p <statistics)" 0.001 1
   for family in normal lognormal gamma weibull; do assert_between "$(value runout_m ${family}_anderson_darling_p <statistics)" 0 0.005; done
 }
+
+@test "two studies compared, realization by realization" {
+  ladder 100 >rows.tsv
+  { row_header; for ((k = 100; k >= 1; --k)); do row $k slid "$(awk "BEGIN { print $k / 50 }")" "$(awk "BEGIN { print 12 + $k / 50 }")"; done
+    row 500 slid 99 99; row 0 slid 1 1; } >other.tsv
+  mcstats other.tsv --against rows.tsv >compared
+  assert_schema statistics compared
+  assert_near "$(value influence_m mean_difference <compared)" 0.505 1e-12
+  assert_near "$(value runout_m mean_difference <compared)" 2.505 1e-12
+  assert_near "$(value runout_m sd_ratio <compared)" 2 1e-12
+  assert_near "$(value runout_m correlation <compared)" 1 1e-12
+  assert_equal "$(value runout_m sd_ratio 6 <compared)" 100
+  # 0.505 +- t_99 sd(1 ... 100) / 100 / 10
+  assert_near "$(value influence_m mean_difference 5 <compared)" 0.562566 1e-5
+  { row_header; row 600 slid 1 2; row 601 slid 2 3; } >none.tsv
+  run -65 mcstats rows.tsv --against none.tsv
+  run -64 mcstats rows.tsv --against other.tsv --trace
+}

@@ -19,6 +19,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> rows = {"-"};
+  std::string other_rows;  // of the study to compare with
   bool wants_trace = false;
   bool wants_histogram = false;
   bool wants_densities = false;
@@ -60,6 +61,10 @@ interval that does not exist is nan; an end that the sample cannot give is "unbo
               half of the rule's interval, and that interval; how many runs it will want, if the spread stays as it is
   paper_change_of_mean paper_change_of_variance paper_first_met
               by the last run; the number of runs after which the paper's rule was met for the first time
+With --against OTHER, instead, of the realizations that both studies know exactly:
+  mean_difference sd_ratio correlation
+              mean less the other's, sd over the other's, and how alike the two are. By pairs of one number: surer than two studies apart
+              where both scenes have the same seed and mesh of fields, for then their fields come from the same random numbers
 Rules: mean=W, sd=W, quantile_P=W (half of the 95 % interval is at most W m), exceeds_X=W (likewise of P(reach > X m), W a probability),
        for both quantities or for one ("runout_m:mean=0.1"); not met before --least-runs. The interval of sd=W is for a kurtosis two
        standard errors above the sample's: where a study ended by it, quote that of half_width, not that of sd. paper: mean and variance change by less
@@ -83,6 +88,14 @@ SummaryOptions summary_options(const Options& options) {
   return summary;
 }
 
+/// What the study has more than another one; the warnings are on both.
+Table comparison(std::span<const Row> rows, const Options& options, Provenance& origin) {
+  const std::vector<Row> others = read_rows(std::span(&options.other_rows, 1));
+  for (const std::string& caution : cautions(others)) warn("other study: " + caution);
+  origin.details.emplace_back("other rows", checksum(others));
+  return comparison_table(rows, others);
+}
+
 Table table_of(const std::string& kind, std::span<const Row> rows, const Ensemble& ensemble, const Options& options) {
   if (kind == "trace") return trace_table(ensemble);
   if (kind == "histogram") return histogram_table(ensemble);
@@ -96,14 +109,17 @@ void run(const Options& options) {
   for (const std::string& caution : cautions(rows)) warn(caution);
 
   const std::string kind = kind_of(options);
-  const Table table = table_of(kind, rows, ensemble, options);
   Provenance origin = provenance("slidezone-" + kind + " 1", "mcstats");
   origin.details.emplace_back("rows", checksum(rows));
+  if (!options.other_rows.empty()) {
+    const Table table = comparison(rows, options, origin);
+    return write_output(options.output, to_tsv(table, origin));
+  }
   if (kind == "statistics") {
     origin.details.emplace_back("seed", std::to_string(options.resampling.seed));
     origin.details.emplace_back("resamples", std::to_string(options.resampling.resamples));
   }
-  write_output(options.output, to_tsv(table, origin));
+  write_output(options.output, to_tsv(table_of(kind, rows, ensemble, options), origin));
 }
 
 CLI::Validator stop_rule() {
@@ -115,8 +131,11 @@ void add_kinds(CLI::App& app, Options& options) {
   auto* trace = app.add_flag("--trace", options.wants_trace, "Instead: running mean and sd with intervals, run by run");
   auto* histogram = app.add_flag("--histogram", options.wants_histogram, "Instead: histogram of the runs that slid");
   auto* densities = app.add_flag("--densities", options.wants_densities, "Instead: density and cumulative of the fits, and the sample's");
-  trace->excludes(histogram)->excludes(densities);
-  histogram->excludes(densities);
+  auto* against =
+      app.add_option("--against", options.other_rows, "Instead: what this study has more than that of OTHER, its rows")->type_name("OTHER");
+  trace->excludes(histogram)->excludes(densities)->excludes(against);
+  histogram->excludes(densities)->excludes(against);
+  densities->excludes(against);
 }
 
 }  // namespace
@@ -137,7 +156,8 @@ int main(int argc, char** argv) {
       ->check(whole_number(2))
       ->type_name("N")
       ->capture_default_str();
-  app.add_option("--resamples", options.resampling.resamples, "Bootstrap resamples; half as many samples give a simulated p, of gamma and gev an eighth")
+  app.add_option("--resamples", options.resampling.resamples,
+                 "Bootstrap resamples; half as many samples give a simulated p, of gamma and gev an eighth")
       ->check(whole_number(200, 1'000'000))
       ->type_name("B")
       ->capture_default_str();

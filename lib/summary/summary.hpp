@@ -24,6 +24,10 @@ struct SummaryOptions {
 /// quantity statistic value ci_low ci_high n
 Table statistics_table(std::span<const Row> rows, const Ensemble& ensemble, const SummaryOptions& options);
 
+/// What the study of `rows` has more than that of `others`, by the realizations that both know exactly, in the columns of
+/// statistics_table(): mean_difference, sd_ratio, correlation. Throws Error(ExitCode::data) for fewer than two of them.
+Table comparison_table(std::span<const Row> rows, std::span<const Row> others);
+
 /// After each known value in turn: mean and sd with their 95 % intervals, and how much they changed. The sd's interval comes from the
 /// running kurtosis: s exp(+- z / 2 sqrt((b_2 - (n - 3) / (n - 1)) / n)); both count blocks where runs were drawn in blocks.
 Table trace_table(const Ensemble& ensemble);
