@@ -85,6 +85,9 @@ static void fill_slice(const std::function<void(std::size_t, std::span<Number>)>
   for (std::size_t byte = 0; byte < checksum_size; ++byte) bytes[size + byte] = static_cast<std::byte>(sum >> (8 * byte) & 0xff);
 }
 
+/// Of a dataset that is made later: one for each item of its first dimension, or one for all of a single dimension.
+static std::size_t slices_of(const std::vector<hsize_t>& shape) { return shape.size() > 1 ? shape[0] : 1; }
+
 static Handle new_file(Hdf5Layout& layout) {
   silence_hdf5();
   const Handle access(access_to(layout), H5Pclose);
@@ -120,21 +123,19 @@ struct Hdf5Writer::State {
     if (!is_empty(shape)) must(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), path.c_str());
   }
   template <class Number>
-  void dataset_later(const std::string& path, hid_t type, const std::vector<hsize_t>& shape,
-                     const std::function<void(std::size_t, std::span<Number>)>& fill) {
+  void slice_later(hid_t dataset, const std::string& path, const std::vector<hsize_t>& shape, std::size_t slice,
+                   const std::function<void(std::size_t, std::span<Number>)>& fill) {
+    const std::size_t numbers = product(shape) / slices_of(shape);
+    layout.next_slice = [fill, slice, numbers](std::span<std::byte> bytes) { fill_slice(fill, slice, numbers, bytes); };
+    std::vector<hsize_t> start(shape.size(), 0);
+    if (shape.size() > 1) start[0] = slice;
+    const char nothing = 0;  // the driver keeps the place of a slice and leaves the bytes alone
+    must(H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, start.data(), numbers * sizeof(Number) + checksum_size, &nothing), path.c_str());
+  }
+  Handle new_sliced_dataset(const std::string& path, hid_t type, const std::vector<hsize_t>& shape) const {
     std::vector<hsize_t> slice_shape = shape;
     if (shape.size() > 1) slice_shape[0] = 1;
-    const Handle dataset = new_dataset(path, type, shape, slice_shape);
-    if (is_empty(shape)) return;
-    const std::size_t slices = shape.size() > 1 ? shape[0] : 1;
-    const std::size_t numbers = product(shape) / slices;
-    for (std::size_t slice = 0; slice < slices; ++slice) {
-      layout.next_slice = [fill, slice, numbers](std::span<std::byte> bytes) { fill_slice(fill, slice, numbers, bytes); };
-      std::vector<hsize_t> start(shape.size(), 0);
-      if (shape.size() > 1) start[0] = slice;
-      const char nothing = 0;  // the driver keeps the place of a slice and leaves the bytes alone
-      must(H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, start.data(), numbers * sizeof(Number) + checksum_size, &nothing), path.c_str());
-    }
+    return new_dataset(path, type, shape, slice_shape);
   }
 };
 
@@ -180,11 +181,26 @@ void Hdf5Writer::dataset(const std::string& path, std::span<const std::uint8_t> 
 
 void Hdf5Writer::dataset_later(const std::string& path, const std::vector<std::size_t>& shape,
                                std::function<void(std::size_t, std::span<double>)> fill) {
-  state_->dataset_later<double>(path, H5T_NATIVE_DOUBLE, {shape.begin(), shape.end()}, fill);
+  datasets_later({{path, shape, std::move(fill)}});
 }
 
 void Hdf5Writer::dataset_later(const std::string& path, std::size_t count, std::function<void(std::size_t, std::span<std::int64_t>)> fill) {
-  state_->dataset_later<std::int64_t>(path, H5T_NATIVE_INT64, {count}, fill);
+  const std::vector<hsize_t> shape = {count};
+  const Handle dataset = state_->new_sliced_dataset(path, H5T_NATIVE_INT64, shape);
+  if (count > 0) state_->slice_later(dataset, path, shape, 0, fill);
+}
+
+void Hdf5Writer::datasets_later(const std::vector<LaterDataset>& datasets) {
+  std::vector<Handle> handles;
+  std::size_t slices = 0;
+  for (const LaterDataset& dataset : datasets) {
+    const std::vector<hsize_t> shape(dataset.shape.begin(), dataset.shape.end());
+    handles.push_back(state_->new_sliced_dataset(dataset.path, H5T_NATIVE_DOUBLE, shape));
+    if (!is_empty(shape)) slices = slices_of(shape);
+  }
+  for (std::size_t slice = 0; slice < slices; ++slice)
+    for (std::size_t i = 0; i < datasets.size(); ++i)
+      state_->slice_later(handles[i], datasets[i].path, {datasets[i].shape.begin(), datasets[i].shape.end()}, slice, datasets[i].fill);
 }
 
 void Hdf5Writer::provenance(const Provenance& provenance) {

@@ -46,6 +46,14 @@ class Hdf5Writer {
                      std::function<void(std::size_t, std::span<double>)> fill);
   void dataset_later(const std::string& path, std::size_t count, std::function<void(std::size_t, std::span<std::int64_t>)> fill);
 
+  /// Several datasets of as many slices each that take turns: slice 0 of each, in their order, then slice 1 of each, and so on.
+  struct LaterDataset {
+    std::string path;
+    std::vector<std::size_t> shape;
+    std::function<void(std::size_t, std::span<double>)> fill;
+  };
+  void datasets_later(const std::vector<LaterDataset>& datasets);
+
   /// Provenance as attributes of the root: "schema", "tool" and each detail by its key.
   void provenance(const Provenance& provenance);
 

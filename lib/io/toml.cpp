@@ -177,13 +177,55 @@ std::vector<double> TomlTable::quantities(const std::string& key, const std::str
   return values;
 }
 
-double TomlTable::number(const std::string& key, Range range) const {
+std::vector<std::string> TomlTable::texts(const std::string& key, std::size_t least) const {
   const toml::node& node = required(*node_->table, *this, node_->table_name, key);
-  if (!node.is_number()) fail(key, "wants a number without unit, found " + description(node));
+  const toml::array* list = node.as_array();
+  if (list == nullptr || list->size() < least)
+    fail(key, "wants a list of at least " + std::to_string(least) + " texts, found " +
+                  (list == nullptr ? description(node) : std::to_string(list->size())));
+  std::vector<std::string> texts;
+  for (const toml::node& item : *list) {
+    const auto text = item.value_exact<std::string>();
+    if (!text) fail(key, texts.size(), "wants a text in quotes, found " + description(item));
+    texts.push_back(*text);
+  }
+  return texts;
+}
+
+/// The value of a number without unit; `key` and `where` are for messages.
+static double number_of(const toml::node& node, const Location& where, const std::string& key, Range range) {
+  const auto complain = [&](const std::string& message) {
+    fail_at(where, "'" + key + "' wants " + message + ", found " + description(node));
+  };
+  if (!node.is_number()) complain("a number without unit");
   const double value = *node.value<double>();
-  if (!std::isfinite(value)) fail(key, "wants a finite number, found " + description(node));
-  if (!contains(range, value)) fail(key, "wants a number " + description(range) + ", found " + description(node));
+  if (!std::isfinite(value)) complain("a finite number");
+  if (!contains(range, value)) complain("a number " + description(range));
   return value;
+}
+
+double TomlTable::number(const std::string& key, Range range) const {
+  return number_of(required(*node_->table, *this, node_->table_name, key), where(key), key, range);
+}
+
+std::vector<std::vector<double>> TomlTable::matrix(const std::string& key, Range range, std::size_t least) const {
+  const toml::node& node = required(*node_->table, *this, node_->table_name, key);
+  const toml::array* rows = node.as_array();
+  if (rows == nullptr || rows->size() < least)
+    fail(key, "wants a matrix of at least " + std::to_string(least) + " rows like [[1, 0.5], [0.5, 1]], found " +
+                  (rows == nullptr ? description(node) : std::to_string(rows->size())));
+  std::vector<std::vector<double>> matrix;
+  for (const toml::node& row : *rows) {
+    const toml::array* numbers = row.as_array();
+    if (numbers == nullptr || numbers->size() != rows->size())
+      fail(key, matrix.size(),
+           "wants rows of " + std::to_string(rows->size()) + " numbers, found " +
+               (numbers == nullptr ? description(row) : std::to_string(numbers->size())));
+    matrix.emplace_back();
+    for (const toml::node& number : *numbers)
+      matrix.back().push_back(number_of(number, location(node_->file_name, number.source()), key, range));
+  }
+  return matrix;
 }
 
 std::uint64_t TomlTable::whole(const std::string& key, std::uint64_t least, std::uint64_t most) const {

@@ -57,6 +57,10 @@ class TomlTable {
   Vec2 quantity_pair(const std::string& key, const std::string& unit, Range range) const;
   /// A list of quantities; at least `least` of them.
   std::vector<double> quantities(const std::string& key, const std::string& unit, Range range, std::size_t least) const;
+  /// A list of texts; at least `least` of them.
+  std::vector<std::string> texts(const std::string& key, std::size_t least) const;
+  /// [[1, 0.5], [0.5, 1]]: a square matrix, row by row, of at least `least` rows.
+  std::vector<std::vector<double>> matrix(const std::string& key, Range range, std::size_t least) const;
   /// [["0 m", "5 m"], ...] as points in metres; at least `least` of them.
   std::vector<Vec2> polyline(const std::string& key, std::size_t least) const;
 

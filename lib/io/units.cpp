@@ -45,6 +45,10 @@ Dimension dimension_of(const std::string& unit) {
       {"m s-2", {"an acceleration", "9.81 m/s^2"}},
       {"m s-1", {"a velocity", "5 m/s"}},
       {"s-1", {"a rate", "0.5 1/s"}},
+      {"Pa m-1", {"a stress over a length", "2 kPa/m"}},
+      {"rad m-1", {"an angle over a length", "0.5 deg/m"}},
+      {"N m-4", {"a unit weight over a length", "0.1 kN/m^4"}},
+      {"kg m-4", {"a density over a length", "10 kg/m^4"}},
   };
   const auto found = dimensions.find(unit);
   return found == dimensions.end() ? Dimension{"a quantity in " + unit, "1 " + unit} : found->second;
