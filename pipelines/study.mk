@@ -44,7 +44,7 @@ Q ?= @
 
 # A value of the parsed scene, or the last line of what is wrong with it.
 scene_value = $(shell python3 -c 'import sys, tomllib; scene = tomllib.load(open(sys.argv[1], "rb")); print($1)' $(SCENE) 2>&1 | tail -n 1)
-has_field := $(call scene_value,bool(scene.get("field")))
+has_field := $(call scene_value,any("field" in table for table in [scene, *scene.get("soil", [])]))
 $(if $(filter True False,$(has_field)),,$(error $(SCENE): $(has_field)))
 is_random := $(filter True,$(has_field))
 ifndef N

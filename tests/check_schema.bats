@@ -107,7 +107,7 @@ fields() {
   fields
   local change
   for change in 's|"path": "/realization", "type": "whole"|"path": "/realization", "type": "real"|' \
-    's|"cells_y", "cells_x"|"samples", "cells_x"|' 's|"path": "/floored"|"path": "/flored"|' 's|slidezone-fields 1|slidezone-fields 2|'; do
+    's|"own cells_y", |"samples", |' 's|"path": "/floored"|"path": "/flored"|' 's|slidezone-fields 1|slidezone-fields 2|'; do
     sed "$change" "$TOP/data-schemas/fields.json" >"$BATS_TEST_TMPDIR/description.json"
     run ! cmp -s "$TOP/data-schemas/fields.json" "$BATS_TEST_TMPDIR/description.json"
     check

@@ -7,13 +7,13 @@ A description is one of three:
 - a JSON Schema (it has "$schema"): FILE is TOML or GeoJSON, held against it by python3-jsonschema.
 - "kind": "tsv": {"schema": "slidezone-row 1", "kind": "tsv", "meaning": ..., "columns": [COLUMN, ...]} where COLUMN is
   {"name", "type", "meaning"} and perhaps "unit", "choices" (of type choice) and "missing" (a word that stands for a number that does
-  not exist, "nan" or "unbounded", or a list of both). Types: whole (>= 0), real (finite), text (not empty), choice. Columns stand in this
+  not exist, "nan" or "unbounded", or a list of both). A name may end in "<unit>", which stands for any word. Types: whole (>= 0), real (finite), text (not empty), choice. Columns stand in this
   order and there are no others. Lines "# key: value" come before the header row, "# schema:" first; "provenance": "optional" in the
   description lets a table of the user's do without. Several tables in a row are one table.
 - "kind": "hdf5": {"schema", "kind", "meaning", "attributes": [{"name", "type", "meaning"}], "datasets": [{"path", "type", "shape",
   "meaning"}]}. Types: real (float64), whole (int64), byte (uint8), text. A shape lists lengths and names; one name is one length
-  throughout the file. An attribute belongs to the root, or to the object that its "path" names. A path may end in "<name>", which
-  stands for one or more objects that no other entry lists. "optional": true allows an entry to be absent. Nothing else may be there.
+  throughout the file, but one that begins with "own" is each dataset's own. An attribute belongs to the root, or to the object that its "path" names. A path may end in "<name>", which
+  stands for one or more objects that no other entry lists; so may the name of an attribute that may be absent. "optional": true allows an entry to be absent. Nothing else may be there.
 
 Prints one line per fault and exits 1 if there is any, 2 if the description itself is wrong.
 """
@@ -103,6 +103,7 @@ def row_faults(columns, fields, place):
 def tsv_faults(description, path):
     columns = description["columns"]
     header = [column["name"] for column in columns]
+    is_header = re.compile("\t".join(re.escape(name.split("<")[0]) + ("\\S+" if "<" in name else "") for name in header)).fullmatch
     text = path.read_bytes().decode()
     if not text.endswith("\n"):
         yield f"{path}: the last line has no end"
@@ -117,7 +118,7 @@ def tsv_faults(description, path):
         if line.startswith("#"):
             if not re.fullmatch(r"# [^:]+: .+", line) and description.get("provenance") != "optional":
                 yield f"{place}: found '{line}', expected '# key: value'"
-        elif line.split("\t") == header:
+        elif is_header(line):
             headers += 1
         elif headers == 0:
             yield f"{place}: found the header {line.split(chr(9))}, expected {header}"
@@ -180,6 +181,8 @@ def type_and_shape_faults(entry, found_type, found_shape, lengths, what):
         yield f"{what} has shape {found_shape}, expected {expected}"
         return
     for length, name in zip(found_shape, expected):
+        if str(name).startswith("own "):
+            continue
         known = name if isinstance(name, int) else lengths.setdefault(name, length)
         if length != known:
             yield f"{what} has shape {found_shape}, expected {expected} with {name} = {known}"
@@ -208,6 +211,9 @@ def attribute_faults(description, attributes, datasets, lengths):
         yield f"schema is {attributes.get(('/', 'schema'))}, expected {description['schema']}"
     for entry in description["attributes"]:
         pattern = entry.get("path", "/")
+        if "<" in entry["name"]:
+            described.update(key for key in attributes if key[0] == pattern and key[1].startswith(entry["name"].split("<")[0]))
+            continue
         owners = matches(pattern, datasets, listed) if "<" in pattern else [pattern]
         for key in [(owner, entry["name"]) for owner in owners]:
             described.add(key)

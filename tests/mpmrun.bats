@@ -139,6 +139,59 @@ END
 
 # ---- what ends a run ----
 
+# ---- soil that varies ----
+
+# constant_field NAME MEAN: a field of nearly no spread.
+constant_field() { printf '\n[field.%s]\nmean = "%s"\ncov = 1e-9\nhorizontal_scale = "1 m"\nvertical_scale = "1 m"\ncell = "0.5 m"\n' "$1" "$2"; }
+
+# without_fields: the tiny scene without its field, sliding from the start of the run.
+without_fields() { sed '/^\[field/,/^$/d' "$scene"; }
+
+@test "fields of no spread are a soil of their means: every parameter reaches the run" {
+  edited 's/^youngs_modulus.*/youngs_modulus = "1500 kPa"/; s/^unit_weight.*/unit_weight = "21 kN\/m^3"/; s/^cohesion = .*/cohesion = "4 kPa"/
+    s/^residual_cohesion.*/residual_cohesion = "2 kPa"\nfriction_angle = "5 deg"/'
+  mpmrun changed.toml -o expected.tsv
+  {
+    without_fields | sed 's/^residual_cohesion.*/&\nfriction_angle = "1 deg"/'
+    constant_field cohesion "4 kPa"
+    constant_field residual_cohesion "2 kPa"
+    constant_field friction_angle "5 deg"
+    constant_field youngs_modulus "1500 kPa"
+    constant_field unit_weight "21 kN/m^3"
+  } >varied.toml
+  rfgen varied.toml -n 1 | rfmap varied.toml - --quiet | mpmrun varied.toml --points - -o found.tsv
+  assert_equal "$(tsv_value steps <found.tsv)" "$(tsv_value steps <expected.tsv)"
+  local column
+  for column in runout_m influence_m displaced_area_m2 energy_error; do # the run grows the spread of 1e-9 by some 1e4
+    assert_near "$(tsv_value $column <found.tsv)" "$(tsv_value $column <expected.tsv)" 1e-4
+  done
+  run ! diff <(mpmrun "$scene" | tsv_value runout_m) <(tsv_value runout_m <found.tsv)
+}
+
+@test "a perfectly plastic soil with a field of cohesion stays perfectly plastic" {
+  edited '/^residual_cohesion/d; /^softening/d; /^\[field/,/^$/d; s/^cohesion = .*/cohesion = "3 kPa"/'
+  mpmrun changed.toml -o expected.tsv
+  {
+    without_fields | sed '/^residual_cohesion/d; /^softening/d'
+    constant_field cohesion "3 kPa"
+  } >varied.toml
+  rfgen varied.toml -n 1 | rfmap varied.toml - --quiet | mpmrun varied.toml --points - -o found.tsv
+  assert_near "$(tsv_value runout_m <found.tsv)" "$(tsv_value runout_m <expected.tsv)" 1e-4
+  assert_equal "$(tsv_value floored <found.tsv)" 0
+}
+
+@test "stiff points shorten the step: one beyond the limit is refused" {
+  {
+    without_fields | sed 's/^step_fraction.*/step = "10 ms"/'
+    constant_field youngs_modulus "100 MPa"
+  } >varied.toml
+  mpmrun varied.toml -o row.tsv
+  rfgen varied.toml -n 1 | rfmap varied.toml - --quiet >points.h5
+  run mpmrun varied.toml --points points.h5
+  assert_failure 65
+  assert_output --partial "beyond the stability limit"
+}
+
 @test "a slope that reaches the end of the grid is censored" {
   edited 's/^width = .*/width = "5.5 m"/; s/^cohesion = .*/cohesion = "0.2 kPa"/; s/^residual_cohesion = .*/residual_cohesion = "0.1 kPa"/; /^\[field/,/^$/d'
   run --separate-stderr mpmrun changed.toml

@@ -278,6 +278,88 @@ moments_of() {
   assert_success
 }
 
+# ---- several fields ----
+
+# varied FILE: the scene of tests/scenes/varied.toml with fine cells, so that few samples tell.
+varied() { sed 's/^realizations = 4/realizations = 200/' "$TOP/tests/scenes/varied.toml" >"$1"; }
+
+# correlation FILE DATASET DATASET: of all their values, cell by cell.
+correlation() {
+  paste <(h5_numbers "$1" "/$2") <(h5_numbers "$1" "/$3") | awk '
+    { a += $1; b += $2; aa += $1 * $1; bb += $2 * $2; ab += $1 * $2 }
+    END { print (ab / NR - a / NR * b / NR) / sqrt((aa / NR - (a / NR) ^ 2) * (bb / NR - (b / NR) ^ 2)) }'
+}
+
+@test "fields of several parameters and soils go into one file, correlated as the scene says" {
+  varied scene.toml
+  rfgen scene.toml -o fields.h5
+  assert_schema fields fields.h5
+  assert_equal "$(h5ls fields.h5 | awk '{ print $1 }' | tr '\n' ' ')" "cohesion cohesion.clay floored friction_angle friction_angle.clay realization residual_cohesion.clay unit_weight unit_weight.clay youngs_modulus "
+  # 200 samples of 12 m x 2 m at scales of 2 m x 1 m: some 200 x 12 independent values. Four standard errors of a correlation, and .01 for
+  # the bend of the lognormals; that of the clay is given for the values.
+  assert_near "$(correlation fields.h5 cohesion friction_angle)" -0.5 0.08
+  assert_near "$(correlation fields.h5 friction_angle unit_weight)" 0.3 0.09
+  assert_near "$(correlation fields.h5 cohesion unit_weight)" 0.2 0.09
+  assert_near "$(correlation fields.h5 cohesion cohesion.clay)" 0 0.09
+  assert_equal "$(h5dump -a /friction_angle/unit fields.h5 | sed -n 's/.*"\(.*\)".*/\1/p' | tail -n 1)" rad
+}
+
+@test "a sample of several fields is the same in any slice; a field is the same with others beside it" {
+  varied scene.toml
+  rfgen scene.toml -n 5 -o many.h5
+  rfgen scene.toml --first 4 -n 2 -o some.h5
+  for name in cohesion friction_angle unit_weight youngs_modulus cohesion.clay residual_cohesion.clay; do
+    h5_numbers many.h5 "/$name" >all
+    h5_numbers some.h5 "/$name" | cmp - <(tail -n "$(($(wc -l <all) / 5 * 2))" all)
+  done
+  sed '/^\[field.youngs_modulus\]/,$!d; /^\[study\]/,$d' scene.toml >stiffness
+  { sed '/^\[field.cohesion\]/,$d; /^\[soil.field/,/^$/d' scene.toml; cat stiffness; } | sed '/^\[field.unit_weight\]/,$d' >alone.toml
+  rfgen alone.toml -n 5 -o alone.h5
+  assert_equal "$(h5_numbers alone.h5 /youngs_modulus | cksum)" "$(h5_numbers many.h5 /youngs_modulus | cksum)"
+}
+
+@test "the mean follows depth" {
+  varied scene.toml
+  rfgen scene.toml -o fields.h5
+  # Left column, lowest and highest row of 0.25 m cells below 2 m of ground: depths of 1.875 m and 0.125 m. Four standard errors.
+  h5_numbers fields.h5 /cohesion.clay -s 0,0,0 -c 200,1,1 | awk '{ s += $1; q += $1 * $1 } END { print s / NR, sqrt(q / NR - (s / NR) ^ 2) }' >low
+  read -r mean sd <low
+  assert_near "$mean" 7875 340 # constant sd: 1200 Pa
+  assert_near "$sd" 1200 260
+  h5_numbers fields.h5 /youngs_modulus -s 0,0,0 -c 200,1,1 | awk '{ s += $1; q += $1 * $1 } END { print s / NR, sqrt(q / NR - (s / NR) ^ 2) }' >low
+  read -r mean sd <low
+  assert_near "$mean" 1937500 170000 # constant cov: 0.3
+  assert_near "$sd" 581250 130000
+}
+
+@test "a correlation that no two marginals have, and stiffness that may fall to zero, exit 65" {
+  sed 's/^\[\[1, 0.6\], \[0.6, 1\]\]/x/; s/0\.6/-0.99/g' "$TOP/tests/scenes/varied.toml" >wrong.toml
+  run rfgen wrong.toml -n 1 -o fields.h5
+  assert_failure 65
+  assert_output --regexp 'wrong.toml: \[field.cohesion.clay, residual_cohesion.clay\]: row 2, column 1 of the matrix: a correlation of -0.99 between .* feasible are -0.9'
+  sed '/^\[field.youngs_modulus\]/a marginal = "normal"' "$TOP/tests/scenes/varied.toml" >wrong.toml
+  run rfgen wrong.toml -n 1 -o fields.h5
+  assert_failure 65
+  assert_output --partial '[field.youngs_modulus]: values may fall to -'
+  assert_not_exist fields.h5
+}
+
+@test "measurements of any parameter are read in its unit" {
+  sed '/^\[field.friction_angle\]/a measurements = "angles.tsv"' "$TOP/tests/scenes/varied.toml" >scene.toml
+  printf '%s\t%s\t%s\t%s\n' x_m depth_m value_deg error_deg 1.1 0.6 33 0 >angles.tsv
+  assert_schema measurements angles.tsv
+  rfgen scene.toml -n 2 -o fields.h5
+  assert_schema fields fields.h5
+  assert_near "$(h5_numbers fields.h5 /friction_angle -s 1,5,4 -c 1,1,1)" 0.575958653158 1e-9
+}
+
+@test "a perfectly plastic soil carries a field of cohesion" {
+  sed '/^residual_cohesion/d; /^softening/d; s/^cov = .*/cov = 0.5/' "$scene" >plastic.toml
+  rfgen plastic.toml -n 3 -o fields.h5
+  assert_equal "$(h5_numbers fields.h5 /floored | tr '\n' ' ')" "0 0 0 "
+  assert_between "$(h5_numbers fields.h5 /cohesion | sort -g | head -n 1)" 1000 4000
+}
+
 @test "with several soils the floor is the least of their residual strengths" {
   cat >layers.toml <<END
 $(sed '/^\[\[soil\]\]/,/^$/d' "$scene")

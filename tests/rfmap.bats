@@ -137,7 +137,7 @@ h5_numbers() { h5dump -A 0 -y -w 1 -m %.17g -d "$2" "${@:3}" "$1" | sed -n 's/^ 
   rfgen coarse.toml -n 1 -o coarse.h5
   run rfmap coarse.toml coarse.h5 -o points.h5
   assert_success
-  assert_output --partial "rfmap: warning: the cells of the field, 0.1 m x 0.6 m, are longer than half its scales of fluctuation, 1 m and 1 m"
+  assert_output --partial "rfmap: warning: the cells of the field cohesion, 0.1 m x 0.6 m, are longer than half its scales of fluctuation, 1 m and 1 m"
   assert_schema points points.h5
 }
 
@@ -175,4 +175,25 @@ END
   assert_equal "$below" 0
   assert_between "$floored" 100 3000
   assert_equal "$(h5_numbers points.h5 /floored)" "$floored"
+}
+
+@test "all fields are mapped at once, each to the points whose soil has it" {
+  local varied=$TOP/tests/scenes/varied.toml
+  sed 's/^mean = "2 kPa"/mean = "5 kPa"/' "$varied" >wide.toml # the residual cohesion, so that some exceed the peak
+  rfgen wide.toml -o fields.h5
+  rfmap wide.toml fields.h5 -o points.h5
+  assert_schema points points.h5
+  assert_equal "$(h5ls points.h5 | awk '{ print $1 }' | tr '\n' ' ')" "cohesion floored friction_angle realization residual_cohesion unit_weight x y youngs_modulus "
+  h5_numbers fields.h5 /cohesion -s 0,0,0 -c 1,8,24 >of_fill
+  h5_numbers fields.h5 /cohesion.clay -s 0,0,0 -c 1,8,24 >of_clay
+  paste <(h5_numbers points.h5 /x) <(h5_numbers points.h5 /y) <(h5_numbers points.h5 /cohesion -s 0,0 -c 1,156) \
+    <(h5_numbers points.h5 /residual_cohesion -s 0,0 -c 1,156) >points
+  run awk 'FILENAME == "of_fill" { fill[n++] = $1; next } FILENAME == "of_clay" { clay[m++] = $1; next }
+    { cell = int($2 / 0.25) * 24 + int($1 / 0.25); is_fill = $2 > 1; ++soil[is_fill]
+      if ($3 != (is_fill ? fill[cell] : clay[cell])) ++wrong
+      if (is_fill ? $4 != $3 : $4 > $3) ++wrong # the fill has no residual cohesion in the scene: it follows the peak
+      floored += !is_fill && $4 == $3 }
+    END { print soil[0], soil[1], wrong + 0, floored }' of_fill of_clay points
+  assert_output --regexp '^[0-9]+ [0-9]+ 0 [1-9][0-9]*$'
+  assert_between "$(h5_numbers points.h5 /floored -s 0 -c 1)" "$(cut -d' ' -f4 <<<"$output")" 156
 }

@@ -1,4 +1,4 @@
-// rfgen: samples of a scene's random field on the field's mesh.
+// rfgen: samples of a scene's random fields on the fields' meshes.
 // Scene, and the measurements that it names ("slidezone-measurements 1") -> samples in an HDF5 file ("slidezone-fields 1").
 //   rfgen pipelines/demo/scene.toml -n 24 -o fields.h5
 #include <CLI/CLI.hpp>
@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -18,11 +20,12 @@
 #include "core/random.hpp"
 #include "core/text.hpp"
 #include "core/tool.hpp"
-#include "field/random_field.hpp"
+#include "field/random_fields.hpp"
 #include "io/file.hpp"
 #include "io/hdf5_image.hpp"
 #include "io/table.hpp"
 #include "scene/scene.hpp"
+#include "scene/varied_soil.hpp"
 
 namespace slidezone {
 namespace {
@@ -39,67 +42,74 @@ struct Options {
 constexpr std::uint64_t last_sample = std::numeric_limits<std::uint32_t>::max();
 
 const char* const manual =
-    R"(Samples of a scene's random field [field.cohesion], one value per cell of the field's mesh.
+    R"(Samples of a scene's random fields, one value per cell of each field's mesh.
 
-Samples are numbered from 1. Sample K depends on the scene's field, the seed and K alone: it is the same whenever, wherever and with
+A scene may have a field of cohesion, residual_cohesion, friction_angle, youngs_modulus and unit_weight or density: [field.cohesion] in
+all soils, [soil.field.cohesion] in one alone, correlated by [field.cross_correlation], of a mean that changes with depth.
+Samples are numbered from 1. Sample K depends on the scene's fields, the seed and K alone: it is the same whenever, wherever and with
 whatever other samples it is drawn. The scene chooses autocorrelation, marginal distribution and method; --explain says what that comes
-to. Where the scene names a table of measurements (data-schemas/measurements.json), every sample honours them. Values below the least
-residual cohesion of the scene's soils are raised to it and counted.
+to. Where the scene names a table of measurements (data-schemas/measurements.json), every sample honours them. Cohesions and friction
+angles below the least residual ones of the scene's soils are raised to them, friction angles above 89 degrees lowered, and counted.
 The result is an HDF5 file; data-schemas/fields.json lists what it holds.)";
 
-/// The strength below which no soil of the scene can fall.
-double least_residual(const Scene& scene) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Layer& layer : scene.layers) least = std::min(least, layer.material.residual_cohesion);
-  return least;
-}
-
-/// What is drawn: samples first ... first + count - 1 of a field.
+/// What is drawn: samples first ... first + count - 1.
 struct Draw {
-  const FieldSpec& spec;
-  double floor;
   std::uint64_t seed;
   std::uint64_t first;
   std::uint64_t count;
 };
 
 Draw draw_of(const Options& options, const Scene& scene) {
-  const FieldSpec& spec = scene.fields.front();
   const std::uint64_t count = options.count.value_or(scene.study.realizations);
   if (count > last_sample - options.first + 1)
     throw Error(ExitCode::usage, "samples are numbered up to " + std::to_string(last_sample) + "; lower --first or --count");
-  return {spec, least_residual(scene), options.seed.value_or(scene.study.seed), options.first, count};
+  return {options.seed.value_or(scene.study.seed), options.first, count};
 }
 
 /// Draws each sample when its turn to be written comes.
-void write_samples(const Draw& draw, RandomField& field, Hdf5Writer& file, OutputFile& output) {
+void write_samples(const Draw& draw, const Scene& scene, RandomFields& fields, Hdf5Writer& file, OutputFile& output) {
   Progress progress("rfgen", is_quiet() ? Progress::Show::never : Progress::Show::on_terminal);
-  const std::string& parameter = draw.spec.parameter;
-  const FieldMesh& mesh = draw.spec.model.mesh;
   std::vector<std::int64_t> realizations(draw.count);
   std::iota(realizations.begin(), realizations.end(), static_cast<std::int64_t>(draw.first));
   std::vector<std::int64_t> floored(draw.count);
 
+  std::vector<Hdf5Writer::LaterDataset> datasets;
+  for (std::size_t i = 0; i < scene.fields.size(); ++i) {
+    const FieldMesh& mesh = scene.fields[i].model.mesh;
+    datasets.push_back({scene.fields[i].name,
+                        {draw.count, static_cast<std::size_t>(mesh.cells_y), static_cast<std::size_t>(mesh.cells_x)},
+                        [&, i](std::size_t k, std::span<double> values) {
+                          const auto sample = static_cast<std::uint32_t>(draw.first + k);
+                          floored[k] += static_cast<std::int64_t>(fields.fill(i, values, sample));
+                          progress.update(static_cast<double>(k + 1) / static_cast<double>(draw.count), "sample " + std::to_string(sample));
+                        }});
+  }
   file.dataset("realization", realizations);
-  file.dataset_later(parameter, {draw.count, static_cast<std::size_t>(mesh.cells_y), static_cast<std::size_t>(mesh.cells_x)},
-                     [&](std::size_t i, std::span<double> values) {
-                       const auto sample = static_cast<std::uint32_t>(draw.first + i);
-                       floored[i] = static_cast<std::int64_t>(field.fill_sample(values, {draw.seed, purpose(parameter), sample}));
-                       progress.update(static_cast<double>(i + 1) / static_cast<double>(draw.count), "sample " + std::to_string(sample));
-                     });
-  file.attribute(parameter, "unit", std::string("Pa"));
-  file.attribute(parameter, "cell_x", mesh.cell_x);
-  file.attribute(parameter, "cell_y", mesh.cell_y);
+  file.datasets_later(datasets);
+  for (const FieldSpec& spec : scene.fields) {
+    file.attribute(spec.name, "unit", std::string(kind_of(spec.parameter).unit));
+    file.attribute(spec.name, "cell_x", spec.model.mesh.cell_x);
+    file.attribute(spec.name, "cell_y", spec.model.mesh.cell_y);
+  }
   file.dataset_later("floored", draw.count,
                      [&](std::size_t, std::span<std::int64_t> values) { std::ranges::copy(floored, values.begin()); });
   file.write([&](std::string_view bytes) { output.write(bytes); });
 }
 
-/// What --explain prints: the method, why, and what it costs in accuracy.
+/// What --explain prints of a field: the method, why, and what it costs in accuracy.
 std::string explanation(const MethodReport& report) {
   return "method: " + report.method + "\nreason: " + report.reason + "\nlargest error of the covariance, of variance 1: " +
          (report.covariance_error > 0 ? format_brief(report.covariance_error, 2) : "rounding") +
          "\nshare of the variance kept: " + format_brief(report.variance_kept, 6) + "\n";
+}
+
+/// Of one field, or of several, each after its name.
+std::string explanation(const Scene& scene, const RandomFields& fields) {
+  if (scene.fields.size() == 1) return explanation(fields.report(0));
+  std::string text;
+  for (std::size_t i = 0; i < scene.fields.size(); ++i)
+    text += (i > 0 ? "\nfield: " : "field: ") + scene.fields[i].name + "\n" + explanation(fields.report(i));
+  return text;
 }
 
 /// What samples must honour, and the checksum of the table that says it; empty where there is none.
@@ -108,16 +118,25 @@ struct Conditions {
   std::string checksum;
 };
 
-/// One row of the table of measurements: its cell, and its value in Pa.
-Measurement measurement_of(const Table& table, std::size_t row, const Scene& scene, const FieldMesh& mesh) {
+/// How a table of measurements writes the values of a parameter: the end of its columns' names, and that unit in SI.
+std::pair<std::string, double> written_unit(Parameter parameter) {
+  const std::string unit = kind_of(parameter).unit;
+  if (unit == "rad") return {"_deg", std::numbers::pi / 180};
+  if (unit == "N m-3") return {"_kN_m3", 1000};
+  return unit == "Pa" ? std::pair<std::string, double>{"_kPa", 1000} : std::pair<std::string, double>{"_kg_m3", 1};
+}
+
+/// One row of the table of measurements: its cell, and its value in SI units.
+Measurement measurement_of(const Table& table, std::size_t row, const Scene& scene, const FieldSpec& spec) {
+  const auto [ending, unit] = written_unit(spec.parameter);
   const std::string where = to_string(table.where(row));
   const double x = table.number(row, "x_m"), depth = table.number(row, "depth_m");
-  const double error = table.has_column("error_kPa") ? table.number(row, "error_kPa") : 0;
+  const double error = table.has_column("error" + ending) ? table.number(row, "error" + ending) : 0;
   if (depth < 0 || error < 0) throw Error(ExitCode::data, where + ": depth and error want at least 0");
   const double y = elevation(scene.slope.surface, x) - depth;
   try {
-    const std::size_t cell = containing_cells(mesh, std::vector{x}, std::vector{y}).front();
-    return {cell, 1000 * table.number(row, "value_kPa"), 1000 * error, where};
+    const std::size_t cell = containing_cells(spec.model.mesh, std::vector{x}, std::vector{y}).front();
+    return {cell, unit * table.number(row, "value" + ending), unit * error, where};
   } catch (const Error& outside) {
     throw Error(outside.code(), where + ": " + outside.what());
   }
@@ -127,20 +146,34 @@ Conditions read_conditions(const Scene& scene, const FieldSpec& spec) {
   if (spec.measurements.empty()) return {};
   const std::string path = (std::filesystem::path(scene.name).parent_path() / spec.measurements).string();
   const std::string bytes = read_input(path);
-  const std::vector<std::string> columns = {"x_m", "depth_m", "value_kPa"};
+  const std::vector<std::string> columns = {"x_m", "depth_m", "value" + written_unit(spec.parameter).first};
   const Table table = parse_tsv(bytes, path, "slidezone-measurements 1", columns);
   Conditions conditions{{}, checksum(bytes)};
-  for (std::size_t row = 0; row < table.row_count(); ++row)
-    conditions.measurements.push_back(measurement_of(table, row, scene, spec.model.mesh));
+  for (std::size_t row = 0; row < table.row_count(); ++row) conditions.measurements.push_back(measurement_of(table, row, scene, spec));
   return conditions;
 }
 
-/// The sampler of the scene's field; errors name the scene and the field.
-RandomField field_of(const Draw& draw, const Scene& scene, std::span<const Measurement> measurements) {
+/// The fields of a scene, and what their provenance says of measurements.
+struct Sampler {
+  RandomFields fields;
+  std::vector<std::pair<std::string, std::string>> details;
+};
+
+Sampler sampler_of(const Scene& scene, const Draw& draw) {
+  std::vector<FieldPlan> plans;
+  std::vector<std::pair<std::string, std::string>> details;
+  for (const FieldSpec& spec : scene.fields) {
+    Conditions conditions = read_conditions(scene, spec);
+    if (!conditions.checksum.empty())
+      details.emplace_back(scene.fields.size() == 1 ? "measurements" : "measurements of " + spec.name, conditions.checksum);
+    const bool is_strength = spec.parameter == Parameter::cohesion || spec.parameter == Parameter::residual_cohesion ||
+                             spec.parameter == Parameter::friction_angle;
+    plans.push_back({spec.name, spec.model, limits_of(spec, scene), !is_strength, std::move(conditions.measurements)});
+  }
   try {
-    return RandomField(draw.spec.model, draw.floor, measurements);
+    return {RandomFields(std::move(plans), scene.cross_correlations, draw.seed), std::move(details)};
   } catch (const Error& error) {
-    throw Error(error.code(), scene.name + ": [field." + draw.spec.parameter + "]: " + error.what());
+    throw Error(error.code(), scene.name + ": " + error.what());
   }
 }
 
@@ -148,16 +181,15 @@ void run(const Options& options) {
   if (!options.explain) refuse_terminal(options.output);
   const Scene scene = read_scene(options.scene, {.soil = true, .field = true});
   const Draw draw = draw_of(options, scene);
-  const Conditions conditions = read_conditions(scene, draw.spec);
-  RandomField field = field_of(draw, scene, conditions.measurements);
-  if (options.explain) return write_output(options.output, explanation(field.report()));
+  Sampler sampler = sampler_of(scene, draw);
+  if (options.explain) return write_output(options.output, explanation(scene, sampler.fields));
   OutputFile output(options.output);
   Hdf5Writer file;
   Provenance origin = provenance("slidezone-fields 1", "rfgen");
   origin.details = {{"scene", scene.checksum}, {"seed", std::to_string(draw.seed)}};
-  if (!conditions.checksum.empty()) origin.details.emplace_back("measurements", conditions.checksum);
+  origin.details.insert(origin.details.end(), sampler.details.begin(), sampler.details.end());
   file.provenance(origin);
-  write_samples(draw, field, file, output);
+  write_samples(draw, scene, sampler.fields, file, output);
   output.finish();
 }
 

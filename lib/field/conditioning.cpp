@@ -49,46 +49,60 @@ void check_memory(std::size_t cells, std::size_t measurements) {
 
 }  // namespace
 
-Conditioning::Conditioning(const FieldModel& model, const MarginalTransform& transform, std::span<const Measurement> measurements) {
-  const std::vector<Measurement> used = without_repetition(measurements);
-  const auto count = static_cast<Eigen::Index>(used.size());
+Conditioning::Conditioning(const FieldModel& model, const Eigen::MatrixXd& correlations, std::span<const ConditionedField> fields) {
+  for (std::size_t field = 0; field < fields.size(); ++field)
+    for (const Measurement& measurement : without_repetition(fields[field].measurements)) {
+      const CellTransform& transform = fields[field].transform;
+      const std::optional<double> normal = transform.normal(measurement.value, measurement.cell);
+      if (!normal) fail(measurement, "found " + format_brief(measurement.value) + ", a value that the marginal distribution does not have");
+      data_.push_back({field, measurement.cell, *normal, measurement.error / transform.slope(*normal, measurement.cell)});
+    }
+  const auto count = static_cast<Eigen::Index>(data_.size());
   const auto cells = static_cast<Eigen::Index>(model.mesh.size());
-  check_memory(model.mesh.size(), used.size());
-  targets_.resize(count);
-  errors_.resize(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Measurement& measurement = used[static_cast<std::size_t>(i)];
-    const std::optional<double> normal = transform.normal(measurement.value);
-    if (!normal) fail(measurement, "found " + format_brief(measurement.value) + ", a value that the marginal distribution does not have");
-    targets_(i) = *normal;
-    errors_(i) = measurement.error / transform.slope(*normal);
-    cells_.push_back(measurement.cell);
-  }
+  check_memory(model.mesh.size() * fields.size(), data_.size());
 
   CellCorrelation correlation(model);
   Eigen::MatrixXd between_data(count, count), to_data(cells, count);
+  const auto cross = [&](std::size_t a, std::size_t b) { return correlations(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)); };
   for (Eigen::Index i = 0; i < count; ++i) {
-    const std::size_t measured = cells_[static_cast<std::size_t>(i)];
-    for (Eigen::Index c = 0; c < cells; ++c) to_data(c, i) = covariance(correlation, model, static_cast<std::size_t>(c), measured);
-    for (Eigen::Index j = 0; j < count; ++j)
-      between_data(i, j) = covariance(correlation, model, measured, cells_[static_cast<std::size_t>(j)]);
+    const Datum& measured = data_[static_cast<std::size_t>(i)];
+    for (Eigen::Index c = 0; c < cells; ++c) to_data(c, i) = covariance(correlation, model, static_cast<std::size_t>(c), measured.cell);
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const Datum& other = data_[static_cast<std::size_t>(j)];
+      between_data(i, j) = cross(measured.field, other.field) * covariance(correlation, model, measured.cell, other.cell);
+    }
+    between_data(i, i) += measured.error * measured.error;
   }
-  between_data.diagonal() += errors_.cwiseAbs2();
   const Eigen::LLT<Eigen::MatrixXd> cholesky(between_data);
   constexpr double least_condition = 1e-12;
   if (cholesky.info() != Eigen::Success || cholesky.rcond() < least_condition)
     throw Error(ExitCode::data, "the measurements lie too close together for this correlation; give them an error");
-  weights_ = cholesky.solve(to_data.transpose()).transpose();
+  for (std::size_t field = 0; field < fields.size(); ++field) {
+    Eigen::VectorXd shares(count);
+    for (Eigen::Index i = 0; i < count; ++i) shares(i) = cross(field, data_[static_cast<std::size_t>(i)].field);
+    weights_.push_back(cholesky.solve((to_data * shares.asDiagonal()).transpose()).transpose());
+  }
 }
 
-void Conditioning::apply(std::span<double> values, RandomStream stream) const {
+void Conditioning::apply(std::span<const std::span<double>> fields, std::span<const RandomStream> streams, double sign) const {
   static const std::uint32_t errors = purpose("measurement errors");
-  std::vector<double> normals(cells_.size());
-  stream.purpose ^= errors;
-  fill_normals(normals, stream);
-  Eigen::VectorXd residual = targets_ + errors_.cwiseProduct(Eigen::Map<const Eigen::VectorXd>(normals.data(), targets_.size()));
-  for (std::size_t i = 0; i < cells_.size(); ++i) residual(static_cast<Eigen::Index>(i)) -= values[cells_[i]];
-  Eigen::Map<Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())).noalias() += weights_ * residual;
+  Eigen::VectorXd residual(static_cast<Eigen::Index>(data_.size()));
+  std::vector<double> normals;
+  for (std::size_t i = 0, first = 0; i < data_.size(); ++i) {
+    const Datum& datum = data_[i];
+    if (i == 0 || data_[i - 1].field != datum.field) {
+      const auto is_of_field = [&](const Datum& other) { return other.field == datum.field; };
+      normals.resize(static_cast<std::size_t>(std::ranges::count_if(data_, is_of_field)));
+      RandomStream stream = streams[datum.field];
+      stream.purpose ^= errors;
+      fill_normals(normals, stream);
+      first = i;
+    }
+    residual(static_cast<Eigen::Index>(i)) = datum.target + datum.error * (sign * normals[i - first]) - fields[datum.field][datum.cell];
+  }
+  for (std::size_t field = 0; field < fields.size(); ++field)
+    Eigen::Map<Eigen::VectorXd>(fields[field].data(), static_cast<Eigen::Index>(fields[field].size())).noalias() +=
+        weights_[field] * residual;
 }
 
 }  // namespace slidezone

@@ -27,4 +27,14 @@ std::size_t raise_to_floor(std::span<double> values, double floor) {
   return count;
 }
 
+SLIDEZONE_VECTOR_LOOP
+std::size_t lower_to_ceiling(std::span<double> values, double ceiling) {
+  std::size_t count = 0;
+  for (double& value : values) {
+    count += value > ceiling ? 1 : 0;
+    value = value > ceiling ? ceiling : value;
+  }
+  return count;
+}
+
 }  // namespace slidezone

@@ -20,6 +20,7 @@ struct FieldMesh {
   double width() const { return cell_x * cells_x; }
   double height() const { return cell_y * cells_y; }
   std::size_t size() const { return static_cast<std::size_t>(cells_x) * static_cast<std::size_t>(cells_y); }
+  bool operator==(const FieldMesh&) const = default;
 };
 
 /// Index of the cell that contains each point; the far edges belong to the last cells.

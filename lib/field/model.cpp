@@ -25,6 +25,11 @@ const std::vector<std::string>& distribution_names() {
   return names;
 }
 
+const std::vector<std::string>& spread_names() {
+  static const std::vector<std::string> names = {"constant cov", "constant sd"};
+  return names;
+}
+
 const std::vector<std::string>& correlation_of_names() {
   static const std::vector<std::string> names = {"Gaussian", "physical"};
   return names;

@@ -35,6 +35,8 @@ struct Correlation {
   LagShape shape = LagShape::separable;
   double bedding_angle = 0;  // rise of the bedding towards x, rad
   double nugget = 0;         // share of the variance that is noise without correlation from cell to cell
+
+  bool operator==(const Correlation&) const = default;
 };
 
 /// Formulas in field/marginal.hpp.
@@ -47,6 +49,19 @@ struct Marginal {
   double low = 0;   // ends of the truncated normal and of beta
   double high = 0;
   std::vector<double> data;  // of the empirical
+};
+
+/// How values spread about a mean that changes with depth.
+enum class Spread {
+  constant_cov,  // with the mean: values are multiplied by mean(depth) / mean
+  constant_sd,   // as they do at the surface: values are shifted by mean(depth) - mean
+};
+
+/// A mean that changes with depth below the ground: mean(depth) = mean + gradient depth.
+struct Trend {
+  double gradient = 0;  // per m
+  Spread spread = Spread::constant_cov;
+  std::vector<double> depth;  // of the centre of each cell of the mesh, m; empty: no trend
 };
 
 /// Which field has the correlation that is given: the Gaussian field behind the values, as in the paper, or the values themselves.
@@ -71,13 +86,15 @@ struct FieldModel {
   Average average = Average::point;
   Method method = Method::automatic;
   double variance_kept = 0.99;  // by the modes of Karhunen-Loeve
-  Marginal marginal;
+  Marginal marginal;            // with a trend: at the surface
+  Trend trend;
 };
 
 /// Names in scenes, in the order of the enumerations.
 const std::vector<std::string>& autocorrelation_names();
 const std::vector<std::string>& lag_shape_names();
 const std::vector<std::string>& distribution_names();
+const std::vector<std::string>& spread_names();
 const std::vector<std::string>& correlation_of_names();
 const std::vector<std::string>& average_names();
 const std::vector<std::string>& interpolation_names();

@@ -25,9 +25,11 @@ Nataf::Nataf(const MarginalTransform& transform) : shares_(terms, 0.0) {
       shares_[k - 1] += weighted * hermite;
     }
   }
+  coefficients_ = shares_;
   for (double& share : shares_) share *= share;
   const double sum = std::accumulate(shares_.begin(), shares_.end(), 0.0);
   for (double& share : shares_) share /= sum;
+  for (double& coefficient : coefficients_) coefficient /= std::sqrt(sum);
 }
 
 double Nataf::physical(double r) const {
@@ -51,6 +53,26 @@ double Nataf::gaussian(double rho) const {
     (physical(middle) < rho ? low : high) = middle;
   }
   return std::abs(low) < rounding && rho == 0 ? 0 : (low + high) / 2;
+}
+
+double physical_correlation(const Nataf& a, const Nataf& b, double r) {
+  double sum = 0;
+  for (std::size_t k = terms; k-- > 0;) sum = (sum + a.coefficients()[k] * b.coefficients()[k]) * r;
+  return sum;
+}
+
+double gaussian_correlation(const Nataf& a, const Nataf& b, double rho) {
+  constexpr double rounding = 1e-12;
+  const double least = physical_correlation(a, b, -1), largest = physical_correlation(a, b, 1);
+  if (rho < least - rounding || rho > largest + rounding)
+    throw Error(ExitCode::data, "a correlation of " + format_brief(rho) +
+                                    " between values of these two marginal distributions is infeasible; feasible are " +
+                                    format_brief(least) + " to " + format_brief(largest));
+  if (rho == 0) return 0;
+  double low = -1, high = 1;
+  for (double middle = 0; middle > low && middle < high; middle = (low + high) / 2)
+    (physical_correlation(a, b, middle) < rho ? low : high) = middle;
+  return high;
 }
 
 }  // namespace slidezone

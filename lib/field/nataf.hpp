@@ -4,7 +4,7 @@
 //   rho(r) = sum c_k^2 r^k / sum c_k^2,  k = 1, 2, ...
 // which rises from rho(-1) to rho(1) = 1: correlations below rho(-1) are infeasible. For a lognormal it is
 // log(1 + rho cov^2) / zeta^2 = r. The coefficients come from the trapezoidal rule, exact to rounding for smooth transforms; terms up
-// to k = 60.
+// to k = 60. Values of two transforms, coefficients a_k and b_k, have rho(r) = sum a_k b_k r^k / sqrt(sum a_k^2 sum b_k^2).
 #pragma once
 
 #include <vector>
@@ -23,8 +23,18 @@ class Nataf {
   /// The inverse. Throws ExitCode::data, with the feasible range, for an infeasible correlation.
   double gaussian(double rho) const;
 
+  /// c_k / sqrt(sum), from k = 1.
+  const std::vector<double>& coefficients() const { return coefficients_; }
+
  private:
   std::vector<double> shares_;  // c_k^2 / sum, from k = 1
+  std::vector<double> coefficients_;
 };
+
+/// Correlation of the values of two transforms at Gaussian correlation r in [-1, 1].
+double physical_correlation(const Nataf& a, const Nataf& b, double r);
+
+/// The inverse. Throws as above.
+double gaussian_correlation(const Nataf& a, const Nataf& b, double rho);
 
 }  // namespace slidezone

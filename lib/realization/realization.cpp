@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -39,7 +40,18 @@ FieldSample field_sample(std::string_view image, const std::string& name, const 
   const auto index = static_cast<std::size_t>(found - numbers.begin());
   FieldSample sample;
   sample.realization = realization;
-  sample.cohesion = file.reals("cohesion", index);
+  sample.values.resize(points.x.size());
+  const auto is_there = [&](const ParameterKind& kind) { return file.has(kind.name); };
+  if (std::none_of(parameter_kinds.begin(), parameter_kinds.end(), is_there))
+    throw Error(ExitCode::data, name + ": holds no soil parameter that mpmrun knows");
+  for (std::size_t parameter = 0; parameter < parameter_kinds.size(); ++parameter) {
+    if (!file.has(parameter_kinds[parameter].name)) continue;
+    const std::vector<double> values = file.reals(parameter_kinds[parameter].name, index);
+    if (values.size() != points.x.size())
+      throw Error(ExitCode::data, name + ": '" + parameter_kinds[parameter].name + "' has " + std::to_string(values.size()) +
+                                      " values a sample, the scene has " + std::to_string(points.x.size()) + " points");
+    for (std::size_t p = 0; p < values.size(); ++p) sample.values[p][parameter] = values[p];
+  }
   sample.floored = static_cast<std::uint64_t>(file.integers("floored").at(index));
   return sample;
 }
@@ -52,13 +64,36 @@ static void start_from_k0(Model& model) {
   for (std::size_t p = points.count(); p-- > 0;) {
     const bool is_top = p + 1 == points.count() || points.x[p + 1] != points.x[p];
     if (is_top) above = 0;
-    const Material& soil = model.soils[static_cast<std::size_t>(points.soil[p])];
+    const Material& soil = soil_of(model, points, p);
     const double own = soil.density * g * model.point_spacing_y;
     const double k0 = model.gravity.k0.value_or(soil.poisson_ratio / (1 - soil.poisson_ratio));
     model.points.yy[p] = -(above + 0.5 * own);
     model.points.xx[p] = model.points.zz[p] = k0 * points.yy[p];
     above += own;
   }
+}
+
+static std::vector<Material> soils_of_points(const Scene& scene, const MaterialPoints& points, const std::optional<FieldSample>& sample) {
+  std::vector<Material> soils;
+  for (std::size_t p = 0; p < points.x.size(); ++p) {
+    const Layer& layer = scene.layers[static_cast<std::size_t>(points.layer[p])];
+    ParameterValues values = sample ? sample->values[p] : ParameterValues{};
+    hold_within_limits(values, layer);
+    soils.push_back(sample ? varied_soil(layer, values) : layer.material);
+  }
+  return soils;
+}
+
+/// Whether points need soils of their own: peak cohesion alone is an array of the points. Where no soil softens, a residual
+/// strength has no part in the run.
+static bool differs_beyond_peak_cohesion(const std::vector<Material>& soils, const Scene& scene, const MaterialPoints& points) {
+  for (std::size_t p = 0; p < soils.size(); ++p) {
+    Material expected = scene.layers[static_cast<std::size_t>(points.layer[p])].material;
+    expected.peak_cohesion = soils[p].peak_cohesion;
+    if (expected.softening_shape == 0) expected.residual_cohesion = soils[p].residual_cohesion;
+    if (soils[p] != expected) return true;
+  }
+  return false;
 }
 
 Model model_of(const Scene& scene, const MaterialPoints& points, const std::optional<FieldSample>& sample) {
@@ -77,14 +112,16 @@ Model model_of(const Scene& scene, const MaterialPoints& points, const std::opti
   model.points.y = points.y;
   model.points.soil = points.layer;
   const double volume = points.spacing_x * points.spacing_y;
+  std::vector<Material> soils = soils_of_points(scene, points, sample);
   for (std::size_t p = 0; p < points.x.size(); ++p) {
-    const Material& soil = model.soils[static_cast<std::size_t>(points.layer[p])];
+    const Material& soil = soils[p];
     model.points.volume[p] = volume;
     model.points.mass[p] = soil.density * volume;
     model.points.velocity[2 * p] = scene.initial_velocity.x;
     model.points.velocity[2 * p + 1] = scene.initial_velocity.y;
-    model.points.peak_cohesion[p] = std::max(sample ? sample->cohesion[p] : soil.peak_cohesion, soil.residual_cohesion);
+    model.points.peak_cohesion[p] = soil.peak_cohesion;
   }
+  if (differs_beyond_peak_cohesion(soils, scene, points)) model.point_soils = std::move(soils);
   if (scene.gravity.protocol == GravityProtocol::k0) start_from_k0(model);
   return model;
 }

@@ -9,22 +9,23 @@
 #include "mpm/simulation.hpp"
 #include "rows/row.hpp"
 #include "scene/scene.hpp"
+#include "scene/varied_soil.hpp"
 
 namespace slidezone {
 
 /// The field values of one sample at the scene's material points, as rfmap wrote them.
 struct FieldSample {
   std::uint64_t realization = 0;
-  std::vector<double> cohesion;  // peak cohesion of each point, Pa
-  std::uint64_t floored = 0;     // values that rfgen raised to the residual strength
+  std::vector<ParameterValues> values;  // of each point
+  std::uint64_t floored = 0;            // values that stand at a limit
 };
 
 /// Takes sample `realization` out of the image of a points file; `name` is its name in messages. Throws if the file's points
 /// are not those of the scene, or if it does not hold that sample.
 FieldSample field_sample(std::string_view image, const std::string& name, const MaterialPoints& points, std::uint64_t realization);
 
-/// The model that a scene describes. Peak cohesions below a layer's residual cohesion are raised to it (such points would
-/// harden). K0 start: vertical stress by the weight of the points above in the same column, horizontal k0 times that.
+/// The model that a scene describes, with the sample's values held within the limits of each point's soil. K0 start: vertical stress by the
+/// weight of the points above in the same column, horizontal k0 times that.
 Model model_of(const Scene& scene, const MaterialPoints& points, const std::optional<FieldSample>& sample);
 
 /// The energy balance is judged by these parts of gravity's work: beyond the first the row deserves a warning, beyond the

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <utility>
+
 #include "core/provenance.hpp"
 #include "io/file.hpp"
 #include "io/toml.hpp"
@@ -6,6 +9,11 @@
 
 namespace slidezone {
 
+static bool has_soil_with_field(const TomlTable& file) {
+  if (!file.has("soil")) return false;
+  return std::ranges::any_of(file.tables("soil"), [](const TomlTable& soil) { return soil.has("field"); });
+}
+
 /// Asking for a table that is absent fails with its name.
 static void check_needs(const TomlTable& file, Needs needs) {
   file.table("slope");
@@ -13,7 +21,7 @@ static void check_needs(const TomlTable& file, Needs needs) {
   if (needs.soil) file.tables("soil");
   if (needs.time) file.table("time");
   if (needs.time) file.table("base");
-  if (needs.field) file.table("field");
+  if (needs.field && !has_soil_with_field(file)) file.table("field");
   if (needs.site) file.table("site");
 }
 
@@ -44,7 +52,9 @@ Scene parse_scene(std::string_view text, const std::string& name, Needs needs) {
   if (file.has("time")) scene.time = read_time(file.table("time"), scene.gravity);
   if (file.has("method")) scene.method = read_method(file.table("method"));
   if (file.has("nonlocal_softening")) scene.nonlocal_softening = read_nonlocal_softening(file.table("nonlocal_softening"), scene.layers);
-  if (file.has("field")) scene.fields = read_fields(file.table("field"), scene.slope, scene.layers);
+  Fields fields = read_fields(file, scene.slope, scene.layers);
+  scene.fields = std::move(fields.specs);
+  scene.cross_correlations = std::move(fields.cross_correlations);
   if (file.has("output")) scene.output = read_output(file.table("output"));
   if (file.has("study")) scene.study = read_study(file.table("study"));
   if (file.has("site")) scene.site = read_site(file.table("site"));

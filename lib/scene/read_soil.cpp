@@ -8,7 +8,6 @@
 
 namespace slidezone {
 
-static constexpr double standard_gravity = 9.81;  // m/s^2: turns a unit weight into a density, whatever [gravity] says
 static const Range poisson_ratios{.low = 0, .high = 0.5, .is_high_excluded = true};
 static const Range acute_angles{.low = 0, .high = std::numbers::pi / 2, .is_high_excluded = true};
 
@@ -67,11 +66,14 @@ static std::vector<Vec2> read_top(const TomlTable& table) {
 
 static Layer read_layer(const TomlTable& table) {
   table.check_keys({"name", "unit_weight", "density", "youngs_modulus", "poisson_ratio", "cohesion", "residual_cohesion", "friction_angle",
-                    "residual_friction_angle", "dilation_angle", "tension_cutoff", "softening_threshold", "softening_shape", "top"});
+                    "residual_friction_angle", "dilation_angle", "tension_cutoff", "softening_threshold", "softening_shape", "top",
+                    "field"});
   Layer layer;
   layer.name = table.text("name");
   if (layer.name.empty()) table.fail("name", "wants at least one letter");
   layer.material = read_material(table);
+  layer.residual_cohesion_follows = !table.has("residual_cohesion");
+  layer.residual_friction_follows = !table.has("residual_friction_angle");
   return layer;
 }
 

@@ -37,8 +37,14 @@ Scheme read_method(const TomlTable& table);
 /// [nonlocal_softening]; some soil must soften.
 NonlocalSoftening read_nonlocal_softening(const TomlTable& table, const std::vector<Layer>& layers);
 
-/// [field.<parameter>], every one of them. Means must exceed the residual strength, which is the floor of a field.
-std::vector<FieldSpec> read_fields(const TomlTable& table, const Slope& slope, const std::vector<Layer>& layers);
+struct Fields {
+  std::vector<FieldSpec> specs;
+  std::vector<CrossCorrelation> cross_correlations;
+};
+
+/// [field.<parameter>] and [soil.field.<parameter>], every one of them. Means must exceed the residual strength, which is the floor
+/// of a field, and fields that are correlated must share their mesh and autocorrelation.
+Fields read_fields(const TomlTable& file, const Slope& slope, const std::vector<Layer>& layers);
 
 Output read_output(const TomlTable& table);
 Study read_study(const TomlTable& table);

@@ -12,10 +12,12 @@
 #include <vector>
 
 #include "core/vec2.hpp"
+#include "field/cross_correlation.hpp"
 #include "field/model.hpp"
 #include "grid/grid_shape.hpp"
 #include "mpm/settings.hpp"
 #include "soil/material.hpp"
+#include "soil/parameter.hpp"
 
 namespace slidezone {
 
@@ -30,6 +32,8 @@ struct Slope {
 struct Layer {
   std::string name;
   Material material;
+  bool residual_cohesion_follows = true;  // the scene gives none: it is the peak, also where that varies
+  bool residual_friction_follows = true;
   std::vector<Vec2> top;
 };
 
@@ -39,10 +43,13 @@ struct Discretization {
   int points_per_cell = 2;
 };
 
-/// [field.<parameter>]: a random field in place of a layer parameter that is the same everywhere.
+/// [field.<parameter>], in all soils but those that have one of their own, or [soil.field.<parameter>], in its soil alone: a random
+/// field in place of a parameter that is the same everywhere in a soil.
 struct FieldSpec {
-  std::string parameter;     // "cohesion": the peak cohesion
-  FieldModel model;          // its mesh covers the box of the slope from the origin
+  Parameter parameter = Parameter::cohesion;
+  std::string name;                // of its dataset and its random numbers: the parameter's or, in one soil alone, "<parameter>.<soil>"
+  std::vector<std::size_t> soils;  // that have it, indices into Scene::layers
+  FieldModel model;                // its mesh covers the box of the slope from the origin
   Interpolation interpolation = Interpolation::cell;
   std::string measurements;  // path of a table that samples honour, from the scene's folder; empty: none
 };
@@ -80,7 +87,8 @@ struct Scene {
   TimeStepping time;
   Scheme method;
   std::optional<NonlocalSoftening> nonlocal_softening;
-  std::vector<FieldSpec> fields;
+  std::vector<FieldSpec> fields;  // those of all soils first, each kind in the order of Parameter
+  std::vector<CrossCorrelation> cross_correlations;
   Output output;
   Study study;
   std::optional<Site> site;
@@ -91,7 +99,7 @@ struct Needs {
   bool grid = false;   // [grid]
   bool soil = false;   // [[soil]]
   bool time = false;   // [time]
-  bool field = false;  // at least one [field.<parameter>]
+  bool field = false;  // at least one random field
   bool site = false;   // [site]
 };
 

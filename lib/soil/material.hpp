@@ -20,6 +20,8 @@ struct Material {
   double softening_threshold = 0;                                   // equivalent plastic strain at which softening begins
   double softening_shape = 0;                                       // eta
   double tension_cutoff = std::numeric_limits<double>::infinity();  // largest mean stress; the cone's apex bounds it too
+
+  bool operator==(const Material&) const = default;
 };
 
 }  // namespace slidezone
