@@ -180,6 +180,16 @@ without_fields() { sed '/^\[field/,/^$/d' "$scene"; }
   assert_equal "$(tsv_value floored <found.tsv)" 0
 }
 
+@test "a row carries the design and block of its sample" {
+  edited 's/^realizations = .*/&\ndesign = "antithetic"/'
+  rfgen changed.toml | rfmap changed.toml - --quiet | mpmrun changed.toml --points - --sample 4 -o row.tsv
+  assert_schema row row.tsv
+  assert_equal "$(tsv_value design <row.tsv)" antithetic
+  assert_equal "$(tsv_value block <row.tsv)" 2
+  mpmrun "$scene" -o row.tsv
+  assert_equal "$(tsv_value design <row.tsv)" plain
+}
+
 @test "stiff points shorten the step: one beyond the limit is refused" {
   {
     without_fields | sed 's/^step_fraction.*/step = "10 ms"/'

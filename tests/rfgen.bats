@@ -278,6 +278,34 @@ moments_of() {
   assert_success
 }
 
+# ---- designs ----
+
+@test "samples of a design are the same in any slice, also one that begins inside a block" {
+  local design
+  for design in antithetic "Latin hypercube"; do
+    sed "s/^realizations = .*/&\ndesign = \"$design\"/" "$scene" >design.toml
+    rfgen design.toml -n 20 -o many.h5
+    assert_schema fields many.h5
+    rfgen design.toml --first 18 -n 1 -o one.h5
+    sample one.h5 0 >alone
+    sample many.h5 17 | cmp - alone
+    run h5dump -a /design many.h5
+    assert_output --partial "\"$design\""
+  done
+  assert_equal "$(h5_numbers many.h5 /block | uniq -c | tr -s ' ' | tr '\n' ';')" " 16 1; 4 2;"
+  run ! cmp -s many.h5 <(rfgen "$scene" -n 20)
+}
+
+@test "the second of an antithetic pair is low where the first is high" {
+  sed 's/^realizations = .*/&\ndesign = "antithetic"/' "$scene" >design.toml
+  rfgen design.toml -n 4 -o pairs.h5
+  assert_equal "$(h5_numbers pairs.h5 /block | tr '\n' ' ')" "1 1 2 2 "
+  # The product of the values of a pair is the square of the lognormal's median, 20 kPa / sqrt(1 + cov^2).
+  run awk 'NR == FNR { first[NR] = $1; next } { p = first[FNR] * $1 / (20000 * 20000 / 1.0625) - 1; if (p > 1e-12 || p < -1e-12) ++wrong } END { print FNR, wrong + 0 }' \
+    <(sample pairs.h5 2) <(sample pairs.h5 3)
+  assert_output "12500 0"
+}
+
 # ---- several fields ----
 
 # varied FILE: the scene of tests/scenes/varied.toml with fine cells, so that few samples tell.
@@ -294,7 +322,7 @@ correlation() {
   varied scene.toml
   rfgen scene.toml -o fields.h5
   assert_schema fields fields.h5
-  assert_equal "$(h5ls fields.h5 | awk '{ print $1 }' | tr '\n' ' ')" "cohesion cohesion.clay floored friction_angle friction_angle.clay realization residual_cohesion.clay unit_weight unit_weight.clay youngs_modulus "
+  assert_equal "$(h5ls fields.h5 | awk '{ print $1 }' | tr '\n' ' ')" "block cohesion cohesion.clay floored friction_angle friction_angle.clay realization residual_cohesion.clay unit_weight unit_weight.clay youngs_modulus "
   # 200 samples of 12 m x 2 m at scales of 2 m x 1 m: some 200 x 12 independent values. Four standard errors of a correlation, and .01 for
   # the bend of the lognormals; that of the clay is given for the values.
   assert_near "$(correlation fields.h5 cohesion friction_angle)" -0.5 0.08

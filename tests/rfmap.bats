@@ -183,7 +183,7 @@ END
   rfgen wide.toml -o fields.h5
   rfmap wide.toml fields.h5 -o points.h5
   assert_schema points points.h5
-  assert_equal "$(h5ls points.h5 | awk '{ print $1 }' | tr '\n' ' ')" "cohesion floored friction_angle realization residual_cohesion unit_weight x y youngs_modulus "
+  assert_equal "$(h5ls points.h5 | awk '{ print $1 }' | tr '\n' ' ')" "block cohesion floored friction_angle realization residual_cohesion unit_weight x y youngs_modulus "
   h5_numbers fields.h5 /cohesion -s 0,0,0 -c 1,8,24 >of_fill
   h5_numbers fields.h5 /cohesion.clay -s 0,0,0 -c 1,8,24 >of_clay
   paste <(h5_numbers points.h5 /x) <(h5_numbers points.h5 /y) <(h5_numbers points.h5 /cohesion -s 0,0 -c 1,156) \

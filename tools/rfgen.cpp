@@ -71,7 +71,8 @@ void write_samples(const Draw& draw, const Scene& scene, RandomFields& fields, H
   Progress progress("rfgen", is_quiet() ? Progress::Show::never : Progress::Show::on_terminal);
   std::vector<std::int64_t> realizations(draw.count);
   std::iota(realizations.begin(), realizations.end(), static_cast<std::int64_t>(draw.first));
-  std::vector<std::int64_t> floored(draw.count);
+  std::vector<std::int64_t> blocks(draw.count), floored(draw.count);
+  for (std::size_t k = 0; k < draw.count; ++k) blocks[k] = static_cast<std::int64_t>(block_of(scene.study.design, draw.first + k));
 
   std::vector<Hdf5Writer::LaterDataset> datasets;
   for (std::size_t i = 0; i < scene.fields.size(); ++i) {
@@ -85,6 +86,7 @@ void write_samples(const Draw& draw, const Scene& scene, RandomFields& fields, H
                         }});
   }
   file.dataset("realization", realizations);
+  file.dataset("block", blocks);
   file.datasets_later(datasets);
   for (const FieldSpec& spec : scene.fields) {
     file.attribute(spec.name, "unit", std::string(kind_of(spec.parameter).unit));
@@ -97,18 +99,24 @@ void write_samples(const Draw& draw, const Scene& scene, RandomFields& fields, H
 }
 
 /// What --explain prints of a field: the method, why, and what it costs in accuracy.
-std::string explanation(const MethodReport& report) {
+std::string explanation(const RandomFields& fields, std::size_t field, const StudyDesign& design) {
+  const MethodReport& report = fields.report(field);
+  const std::optional<LatinHypercube>& hypercube = fields.hypercube(field);
   return "method: " + report.method + "\nreason: " + report.reason + "\nlargest error of the covariance, of variance 1: " +
          (report.covariance_error > 0 ? format_brief(report.covariance_error, 2) : "rounding") +
-         "\nshare of the variance kept: " + format_brief(report.variance_kept, 6) + "\n";
+         "\nshare of the variance kept: " + format_brief(report.variance_kept, 6) + "\n" +
+         (hypercube
+              ? "Latin hypercube: blocks of " + std::to_string(design.block_size) + " samples on " + std::to_string(hypercube->modes()) +
+                    " modes, which hold " + format_brief(hypercube->variance_share(), 3) + " of the variance\n"
+              : "");
 }
 
 /// Of one field, or of several, each after its name.
 std::string explanation(const Scene& scene, const RandomFields& fields) {
-  if (scene.fields.size() == 1) return explanation(fields.report(0));
+  if (scene.fields.size() == 1) return explanation(fields, 0, scene.study.design);
   std::string text;
   for (std::size_t i = 0; i < scene.fields.size(); ++i)
-    text += (i > 0 ? "\nfield: " : "field: ") + scene.fields[i].name + "\n" + explanation(fields.report(i));
+    text += (i > 0 ? "\nfield: " : "field: ") + scene.fields[i].name + "\n" + explanation(fields, i, scene.study.design);
   return text;
 }
 
@@ -171,7 +179,7 @@ Sampler sampler_of(const Scene& scene, const Draw& draw) {
     plans.push_back({spec.name, spec.model, limits_of(spec, scene), !is_strength, std::move(conditions.measurements)});
   }
   try {
-    return {RandomFields(std::move(plans), scene.cross_correlations, draw.seed), std::move(details)};
+    return {RandomFields(std::move(plans), scene.cross_correlations, draw.seed, scene.study.design), std::move(details)};
   } catch (const Error& error) {
     throw Error(error.code(), scene.name + ": " + error.what());
   }
@@ -186,7 +194,7 @@ void run(const Options& options) {
   OutputFile output(options.output);
   Hdf5Writer file;
   Provenance origin = provenance("slidezone-fields 1", "rfgen");
-  origin.details = {{"scene", scene.checksum}, {"seed", std::to_string(draw.seed)}};
+  origin.details = {{"scene", scene.checksum}, {"seed", std::to_string(draw.seed)}, {"design", to_string(scene.study.design.design)}};
   origin.details.insert(origin.details.end(), sampler.details.begin(), sampler.details.end());
   file.provenance(origin);
   write_samples(draw, scene, sampler.fields, file, output);

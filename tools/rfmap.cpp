@@ -163,6 +163,7 @@ void write_points(const Scene& scene, const Hdf5Reader& fields, const MaterialPo
                         }});
   }
   file.dataset("realization", realizations);
+  file.dataset("block", fields.integers("block"));
   file.dataset("x", points.x, {points.x.size()});
   file.dataset("y", points.y, {points.y.size()});
   file.datasets_later(datasets);
@@ -185,7 +186,10 @@ void run(const Options& options) {
   const MaterialPoints points = material_points(scene);
   Hdf5Writer file;
   Provenance origin = provenance("slidezone-points 1", "rfmap");
-  origin.details = {{"scene", scene.checksum}, {"fields", checksum(image)}, {"seed", fields.text_attribute("", "seed")}};
+  origin.details = {{"scene", scene.checksum},
+                    {"fields", checksum(image)},
+                    {"seed", fields.text_attribute("", "seed")},
+                    {"design", fields.text_attribute("", "design")}};
   file.provenance(origin);
   OutputFile output(options.output);
   write_points(scene, fields, points, file, output);

@@ -31,8 +31,9 @@ static void check_positive(const FieldPlan& plan, const CellTransform& transform
                                     ", where they want to be above 0; take a marginal that is, e.g. lognormal or truncated normal");
 }
 
-RandomFields::RandomFields(std::vector<FieldPlan> plans, const std::vector<CrossCorrelation>& correlated, std::uint64_t seed)
-    : plans_(std::move(plans)), places_(plans_.size()), seed_(seed) {
+RandomFields::RandomFields(std::vector<FieldPlan> plans, const std::vector<CrossCorrelation>& correlated, std::uint64_t seed,
+                           const StudyDesign& design)
+    : plans_(std::move(plans)), places_(plans_.size()), seed_(seed), design_(design) {
   for (const FieldPlan& plan : plans_) {
     transforms_.push_back(named(plan.name, [&] { return CellTransform(plan.model); }));
     if (plan.is_positive) named(plan.name, [&] { check_positive(plan, transforms_.back()); });
@@ -51,7 +52,7 @@ void RandomFields::add_group(const std::vector<std::size_t>& fields, const Cross
   std::string names = first.name;
   for (std::size_t member = 1; member < fields.size(); ++member) names += ", " + plans_[fields[member]].name;
   named(names, [&] {
-    Group group{GaussianField(first.model), fields, Eigen::MatrixXd::Ones(1, 1), {}, {}, 0};
+    Group group{GaussianField(first.model), {}, fields, Eigen::MatrixXd::Ones(1, 1), {}, {}, 0};
     std::vector<MarginalTransform> marginals;
     std::vector<ConditionedField> conditioned;
     for (const std::size_t field : fields) {
@@ -59,6 +60,7 @@ void RandomFields::add_group(const std::vector<std::size_t>& fields, const Cross
       marginals.push_back(transforms_[field].marginal());
       conditioned.push_back({transforms_[field], plans_[field].measurements});
     }
+    if (design_.design == Design::latin_hypercube) group.hypercube.emplace(first.model, design_);
     if (correlated != nullptr) group.mixing = mixing_of(*correlated, marginals);
     if (fields.size() > 1) group.drawn.assign(fields.size(), std::vector<double>(first.model.mesh.size()));
     if (std::ranges::any_of(conditioned, [](const ConditionedField& field) { return !field.measurements.empty(); }))
@@ -88,11 +90,17 @@ static void mix(std::span<const std::span<double>> fields, const Eigen::MatrixXd
 }
 
 void RandomFields::draw(Group& group, std::span<const std::span<double>> values, std::uint32_t sample) const {
+  const bool is_mirrored = design_.design == Design::antithetic && sample % 2 == 0;
+  const double sign = is_mirrored ? -1 : 1;
   std::vector<RandomStream> streams;
-  for (const std::size_t field : group.fields) streams.push_back({seed_, purpose(plans_[field].name), sample});
-  for (std::size_t member = 0; member < values.size(); ++member) group.gaussian.fill(values[member], streams[member]);
+  for (const std::size_t field : group.fields) streams.push_back({seed_, purpose(plans_[field].name), is_mirrored ? sample - 1 : sample});
+  for (std::size_t member = 0; member < values.size(); ++member) {
+    group.gaussian.fill(values[member], streams[member]);
+    if (is_mirrored) scale(values[member].data(), sign, values[member].size());
+    if (group.hypercube) group.hypercube->apply(values[member], streams[member]);
+  }
   mix(values, group.mixing);
-  if (group.conditioning) group.conditioning->apply(values, streams, 1);
+  if (group.conditioning) group.conditioning->apply(values, streams, sign);
 }
 
 std::size_t RandomFields::fill(std::size_t field, std::span<double> values, std::uint32_t sample) {

@@ -4,7 +4,8 @@
 //
 // The random numbers of a field are those of its name: it has the same samples with other fields beside it, but for what its
 // correlation with them brings. A sample depends on (seed, name, number) and on the model alone: any of them can be drawn anywhere, with
-// or without others.
+// or without others, also those of a design (core/design.hpp): antithetic pairs turn the sign of every normal number, a Latin hypercube
+// sets those of the leading modes (field/latin_hypercube.hpp), both for each field before fields are mixed.
 #pragma once
 
 #include <cstddef>
@@ -20,6 +21,7 @@
 #include "field/conditioning.hpp"
 #include "field/cross_correlation.hpp"
 #include "field/gaussian_field.hpp"
+#include "field/latin_hypercube.hpp"
 #include "field/model.hpp"
 
 namespace slidezone {
@@ -41,7 +43,8 @@ struct FieldPlan {
 class RandomFields {
  public:
   /// Errors name the field. Throws ExitCode::data as the parts do.
-  RandomFields(std::vector<FieldPlan> plans, const std::vector<CrossCorrelation>& correlated, std::uint64_t seed);
+  RandomFields(std::vector<FieldPlan> plans, const std::vector<CrossCorrelation>& correlated, std::uint64_t seed,
+               const StudyDesign& design = {});
 
   /// Fills `values`, of the mesh's size, with one sample of a field; returns how many values were moved to a limit. Fields that
   /// are correlated are drawn together: ask for all of one sample before the next.
@@ -49,10 +52,14 @@ class RandomFields {
 
   const MethodReport& report(std::size_t field) const { return groups_[places_[field].group].gaussian.report(); }
 
+  /// Nothing but for a Latin hypercube.
+  const std::optional<LatinHypercube>& hypercube(std::size_t field) const { return groups_[places_[field].group].hypercube; }
+
  private:
   /// Fields that are drawn together: one, or those of one matrix of correlations.
   struct Group {
     GaussianField gaussian;
+    std::optional<LatinHypercube> hypercube;
     std::vector<std::size_t> fields;
     Eigen::MatrixXd mixing;  // Cholesky factor of the correlations
     std::optional<Conditioning> conditioning;
@@ -72,6 +79,7 @@ class RandomFields {
   std::vector<Group> groups_;
   std::vector<Place> places_;  // of each field
   std::uint64_t seed_;
+  StudyDesign design_;
 };
 
 }  // namespace slidezone

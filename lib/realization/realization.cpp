@@ -53,6 +53,10 @@ FieldSample field_sample(std::string_view image, const std::string& name, const 
     for (std::size_t p = 0; p < values.size(); ++p) sample.values[p][parameter] = values[p];
   }
   sample.floored = static_cast<std::uint64_t>(file.integers("floored").at(index));
+  sample.block = static_cast<std::uint64_t>(file.integers("block").at(index));
+  const std::string design = file.text_attribute("", "design");
+  if (!design_named(design)) throw Error(ExitCode::data, name + ": found the design '" + design + "', expected " + list_of(design_names()));
+  sample.design = *design_named(design);
   return sample;
 }
 
@@ -137,7 +141,8 @@ static Status status_of(const Outcome& outcome, bool has_slid) {
 Row row_of(const Scene& scene, const MaterialPoints& points, const std::optional<FieldSample>& sample, const Outcome& outcome) {
   Row row;
   row.realization = sample ? sample->realization : 0;
-  row.block = row.realization;
+  row.design = sample ? sample->design : Design::plain;
+  row.block = sample ? sample->block : row.realization;
   row.floored = sample ? sample->floored : 0;
   row.steps = outcome.steps;
   row.energy_error = outcome.energy.error();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/design.hpp"
 #include "mpm/simulation.hpp"
 #include "rows/row.hpp"
 #include "scene/scene.hpp"
@@ -18,6 +19,8 @@ struct FieldSample {
   std::uint64_t realization = 0;
   std::vector<ParameterValues> values;  // of each point
   std::uint64_t floored = 0;            // values that stand at a limit
+  Design design = Design::plain;
+  std::uint64_t block = 0;
 };
 
 /// Takes sample `realization` out of the image of a points file; `name` is its name in messages. Throws if the file's points

@@ -134,11 +134,17 @@ Output read_output(const TomlTable& table) {
 }
 
 Study read_study(const TomlTable& table) {
-  table.check_keys({"seed", "realizations"});
+  table.check_keys({"seed", "realizations", "design", "block_size", "modes"});
   constexpr std::uint64_t largest = std::numeric_limits<std::int64_t>::max();  // what TOML can write
   Study study;
   study.seed = table.whole_or("seed", 0, largest, study.seed);
   study.realizations = table.whole_or("realizations", 1, largest, study.realizations);
+  StudyDesign& design = study.design;
+  if (table.has("design")) design.design = *design_named(table.choice("design", design_names()));
+  for (const char* key : {"block_size", "modes"})
+    if (table.has(key) && design.design != Design::latin_hypercube) table.fail(key, "has a meaning only with design = \"Latin hypercube\"");
+  design.block_size = table.whole_or("block_size", 2, 10000, design.block_size);
+  design.modes = table.whole_or("modes", 1, 1000, design.modes);
   return study;
 }
 

@@ -13,6 +13,7 @@
 
 #include "core/vec2.hpp"
 #include "field/cross_correlation.hpp"
+#include "field/latin_hypercube.hpp"
 #include "field/model.hpp"
 #include "grid/grid_shape.hpp"
 #include "mpm/settings.hpp"
@@ -63,6 +64,7 @@ struct Output {
 struct Study {
   std::uint64_t seed = 1;
   std::uint64_t realizations = 1000;
+  StudyDesign design;
 };
 
 /// Where the section stands on the map, in the metres of a projected reference system: x east, y north.
