@@ -44,27 +44,41 @@ SLIDEZONE_INLINE double portable_log(double x) {
   return exponent * log_two + (2 * s + 2 * s * (t * series));
 }
 
+/// a b + c: rounded twice, the same on every processor; or once where the instruction set can, which is faster.
+struct RoundedTwice {
+  SLIDEZONE_INLINE static double multiply_add(double a, double b, double c) { return a * b + c; }
+};
+struct RoundedOnce {
+#if defined(__FMA__)
+  SLIDEZONE_INLINE static double multiply_add(double a, double b, double c) { return __builtin_fma(a, b, c); }
+#else
+  SLIDEZONE_INLINE static double multiply_add(double a, double b, double c) { return a * b + c; }
+#endif
+};
+
+template <class Rounding = RoundedTwice>
 SLIDEZONE_INLINE double portable_exp(double x) {
+  constexpr auto multiply_add = Rounding::multiply_add;
   constexpr double log_two_high = 0x1.62e42fefa38p-1;  // 42 bits: its product with k is exact
   constexpr double log_two_low = 0x1.ef35793c7673p-45;
   x = std::min(std::max(x, -708.), 709.);
-  const double shifted = x * (1 / log_two) + integer_shift;
+  const double shifted = multiply_add(x, 1 / log_two, integer_shift);
   const double k = shifted - integer_shift;
-  const double r = (x - k * log_two_high) - k * log_two_low;
+  const double r = multiply_add(k, -log_two_low, multiply_add(k, -log_two_high, x));
   double series = 1. / 6227020800;  // 1/13!
-  series = series * r + 1. / 479001600;
-  series = series * r + 1. / 39916800;
-  series = series * r + 1. / 3628800;
-  series = series * r + 1. / 362880;
-  series = series * r + 1. / 40320;
-  series = series * r + 1. / 5040;
-  series = series * r + 1. / 720;
-  series = series * r + 1. / 120;
-  series = series * r + 1. / 24;
-  series = series * r + 1. / 6;
-  series = series * r + 1. / 2;
-  series = series * r + 1;
-  series = series * r + 1;
+  series = multiply_add(series, r, 1. / 479001600);
+  series = multiply_add(series, r, 1. / 39916800);
+  series = multiply_add(series, r, 1. / 3628800);
+  series = multiply_add(series, r, 1. / 362880);
+  series = multiply_add(series, r, 1. / 40320);
+  series = multiply_add(series, r, 1. / 5040);
+  series = multiply_add(series, r, 1. / 720);
+  series = multiply_add(series, r, 1. / 120);
+  series = multiply_add(series, r, 1. / 24);
+  series = multiply_add(series, r, 1. / 6);
+  series = multiply_add(series, r, 1. / 2);
+  series = multiply_add(series, r, 1);
+  series = multiply_add(series, r, 1);
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(series) + (std::bit_cast<std::uint64_t>(shifted) << 52));
 }
 

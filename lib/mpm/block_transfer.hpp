@@ -20,11 +20,11 @@ alignas(64) constexpr double mass_s[4] = {-1, 1, 0, 0};
 alignas(64) constexpr double mass_q[4] = {1, -2, 1, 0};
 
 [[gnu::always_inline]] inline Row row_values(double s, double q) {
-  return Row::load(value_1) + s * Row::load(value_s) + q * Row::load(value_q);
+  return fused(q, Row::load(value_q), fused(s, Row::load(value_s), Row::load(value_1)));
 }
-[[gnu::always_inline]] inline Row row_slopes(double r) { return Row::load(slope_1) + r * Row::load(value_q); }
+[[gnu::always_inline]] inline Row row_slopes(double r) { return fused(r, Row::load(value_q), Row::load(slope_1)); }
 [[gnu::always_inline]] inline MassRow mass_values(double s, double q) {
-  return MassRow::load(mass_1) + s * MassRow::load(mass_s) + q * MassRow::load(mass_q);
+  return fused(q, MassRow::load(mass_q), fused(s, MassRow::load(mass_s), MassRow::load(mass_1)));
 }
 
 /// The three rows of node values that a point reaches, as differences along x, for the same weights give
@@ -43,9 +43,9 @@ struct Stencil {
 }
 
 [[gnu::always_inline]] inline Row values_along_x(Stencil nodes, double s, double q) {
-  return nodes.value + s * nodes.first + q * nodes.second;
+  return fused(q, nodes.second, fused(s, nodes.first, nodes.value));
 }
-[[gnu::always_inline]] inline Row slopes_along_x(Stencil nodes, double r) { return nodes.first + r * nodes.second; }
+[[gnu::always_inline]] inline Row slopes_along_x(Stencil nodes, double r) { return fused(r, nodes.second, nodes.first); }
 
 [[gnu::always_inline]] inline void gather_gradients(const SweepData& data, auto block, const BlockWeights& weights,
                                                     BlockGradients& gradients) {
@@ -77,13 +77,13 @@ struct Accumulator {
   /// N_x values
   [[gnu::always_inline]] void add_values(double s, double q, NodeRow values) {
     sum = sum + values;
-    sum_first = sum_first + s * values;
-    sum_second = sum_second + q * values;
+    sum_first = fused(s, values, sum_first);
+    sum_second = fused(q, values, sum_second);
   }
   /// h dN_x/dx values
   [[gnu::always_inline]] void add_slopes(double r, NodeRow values) {
     sum_first = sum_first + values;
-    sum_second = sum_second + r * values;
+    sum_second = fused(r, values, sum_second);
   }
   [[gnu::always_inline]] void flush(double* nodes, int base, std::size_t rows) {
     double* to = nodes + lanes_a_node * static_cast<std::size_t>(base);

@@ -57,6 +57,29 @@ template <int n>
   return a;
 }
 
+/// a b + c, rounded once where the instruction set can. The compiler itself is not free to fuse (CMakeLists.txt): it would do so
+/// here and not there, and kernels that leave things out would differ in their last bits.
+template <int n>
+[[gnu::always_inline]] inline Lanes<n> fused(double a, Lanes<n> b, Lanes<n> c) {
+  for (int k = 0; k < Lanes<n>::chunks; ++k) {
+    const typename Lanes<n>::Chunk factor = a - typename Lanes<n>::Chunk{};
+#if defined(__AVX512F__)
+    if constexpr (Lanes<n>::chunk_size == 8) {
+      c.chunk[k] = _mm512_fmadd_pd(factor, b.chunk[k], c.chunk[k]);
+      continue;
+    }
+#endif
+#if defined(__FMA__)
+    if constexpr (Lanes<n>::chunk_size == 4) {
+      c.chunk[k] = _mm256_fmadd_pd(factor, b.chunk[k], c.chunk[k]);
+      continue;
+    }
+#endif
+    c.chunk[k] += factor * b.chunk[k];
+  }
+  return c;
+}
+
 using Row = Lanes<8>;
 using MassRow = Lanes<4>;  // one number a node
 using Pairs = Lanes<4>;    // two pairs

@@ -139,12 +139,12 @@ std::string trouble_of(const Points& points, const GridShape& grid, std::uint64_
 /// The state of a run between steps.
 class Run {
  public:
-  Run(Model model, InstructionSet set)
+  Run(Model model, Kernel kernel)
       : model_(std::move(model)),
         points_(std::move(model_.points)),
         nodes_(NodeStorage(model_.grid)),
         step_(time_step(model_)),
-        sweeps_(slidezone::sweeps(set, soil_traits(model_))),
+        sweeps_(slidezone::sweeps(kernel.set, kernel.traits)),
         kinetic_at_start_(kinetic_energy(points_)) {
     audit_.least_work = std::max(kinetic_at_start_, work_of_a_small_fall(points_, model_));
     for (const Material& soil : materials(model_)) soils_.push_back(soil_constants(soil));
@@ -387,9 +387,12 @@ SoilTraits soil_traits(const Model& model) {
   return traits;
 }
 
-Outcome simulate(Model model, const Observer& observer, std::optional<InstructionSet> set) {
+Kernel kernel_for(const Model& model) { return {best_instruction_set(), soil_traits(model)}; }
+
+Outcome simulate(Model model, const Observer& observer, std::optional<Kernel> kernel) {
   const TimeStepping stepping = model.time;
-  Run run(std::move(model), set.value_or(best_instruction_set()));
+  const Kernel chosen = kernel.value_or(kernel_for(model));
+  Run run(std::move(model), chosen);
   const auto last_step = static_cast<std::uint64_t>(std::ceil(stepping.end / run.step() - 1e-9));
   const std::function<Points()> points = [&run] { return run.completed_points(); };
   RestWatch watch(stepping.rest ? stepping.rest->fraction : rest_fraction);

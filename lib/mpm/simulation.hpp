@@ -88,7 +88,16 @@ double time_step(const Model& model);
 /// Which parts of the soil model the run needs.
 SoilTraits soil_traits(const Model& model);
 
-/// Runs the model. `set` is for tests and benchmarks; the best is the default.
-Outcome simulate(Model model, const Observer& observer = {}, std::optional<InstructionSet> set = {});
+/// What the sweeps are compiled for. Leaving out what no soil needs saves time and changes no bit of the result.
+struct Kernel {
+  InstructionSet set = best_instruction_set();
+  SoilTraits traits;  // all that there is
+};
+
+/// The leanest kernel that can run the model on this processor.
+Kernel kernel_for(const Model& model);
+
+/// Runs the model. Tests and benchmarks choose the kernel; one that leaves out what the model needs gives wrong results.
+Outcome simulate(Model model, const Observer& observer = {}, std::optional<Kernel> kernel = {});
 
 }  // namespace slidezone

@@ -13,7 +13,9 @@
 //
 // Deviation: where both surfaces are active the return goes to their corner by Koiter's rule; the usual bisector between the
 // two regions (Itasca) leaves such states outside one of the surfaces.
-// Everything is free of branches, so that a loop over points vectorises. Valid for finite stresses and G > 0, K > 0.
+// Included by code that is compiled for several instruction sets: what it calls is inlined.
+// Everything is free of branches, so that a loop over points vectorises. What a trait leaves out changes no bit of the result:
+// hence the product with 1 / (G + ...) and the case apart for pure shear. Valid for finite stresses and G > 0, K > 0.
 #pragma once
 
 #include <algorithm>
@@ -79,13 +81,13 @@ struct YieldSurface {
 };
 
 /// Part of the peak strength that is left: 1 up to the threshold, then exp(-eta (e - e_0)).
-inline double unsoftened_part(const SoilConstants& soil, double plastic_strain) {
+SLIDEZONE_INLINE double unsoftened_part(const SoilConstants& soil, double plastic_strain) {
   const double beyond = plastic_strain - soil.softening_threshold;
-  return portable_exp(-soil.softening_shape * (beyond > 0 ? beyond : 0));
+  return portable_exp<RoundedOnce>(-soil.softening_shape * (beyond > 0 ? beyond : 0));
 }
 
 template <SoilTraits traits>
-inline YieldSurface yield_surface(const SoilConstants& soil, double peak_cohesion, double plastic_strain) {
+SLIDEZONE_INLINE YieldSurface yield_surface(const SoilConstants& soil, double peak_cohesion, double plastic_strain) {
   double cohesion = peak_cohesion;
   double friction_angle = soil.peak_friction_angle;
   if constexpr (traits.has_softening) {
@@ -104,7 +106,7 @@ inline YieldSurface yield_surface(const SoilConstants& soil, double peak_cohesio
 
 /// Takes `stress` back to the yield surface where it lies outside; returns the increment of the equivalent plastic strain.
 template <SoilTraits traits>
-inline double return_to_yield(Stress& stress, const SoilConstants& soil, const YieldSurface& yield) {
+SLIDEZONE_INLINE double return_to_yield(Stress& stress, const SoilConstants& soil, const YieldSurface& yield) {
   const double mean = (stress.xx + stress.yy + stress.zz) * (1.0 / 3.0);
   const double dev_xx = stress.xx - mean;
   const double dev_yy = stress.yy - mean;
@@ -120,7 +122,7 @@ inline double return_to_yield(Stress& stress, const SoilConstants& soil, const Y
   } else {
     const double outside = tau + yield.q_phi * mean - yield.k_c;
     const double tau_at_cut = yield.k_c - yield.q_phi * yield.tension;
-    const double shear_alone = (outside > 0 ? outside : 0) / (G + K * yield.q_phi * soil.q_psi);
+    const double shear_alone = (outside > 0 ? outside : 0) * (1 / (G + K * yield.q_phi * soil.q_psi));
     const bool is_above_cut = mean - K * soil.q_psi * shear_alone > yield.tension;
     const double to_corner = tau > tau_at_cut ? (tau - tau_at_cut) * soil.inverse_shear : 0;
     shear_multiplier = is_above_cut ? to_corner : shear_alone;
@@ -131,8 +133,10 @@ inline double return_to_yield(Stress& stress, const SoilConstants& soil, const Y
   const double volumetric = soil.q_psi * shear_multiplier + tension_multiplier;
   const double new_mean = traits.has_cone ? mean - K * volumetric : mean;
   stress = {new_mean + kept * dev_xx, new_mean + kept * dev_yy, new_mean + kept * dev_zz, kept * stress.xy};
-  if constexpr (!traits.has_cone) return shear_multiplier * std::sqrt(1.0 / 3.0);
-  return std::sqrt(1.0 / 3.0 * shear_multiplier * shear_multiplier + 2.0 / 9.0 * volumetric * volumetric);
+  const double by_shear_alone = __builtin_assoc_barrier(shear_multiplier * std::sqrt(1.0 / 3.0));
+  if constexpr (!traits.has_cone) return by_shear_alone;
+  return volumetric == 0 ? by_shear_alone
+                         : std::sqrt(1.0 / 3.0 * shear_multiplier * shear_multiplier + 2.0 / 9.0 * volumetric * volumetric);
 }
 
 }  // namespace slidezone

@@ -232,10 +232,10 @@ TEST(Simulate, AgreesWithATextbookImplementation) {
 }
 
 TEST(Simulate, GivesTheSameOnEveryInstructionSet) {
-  const Outcome plain = simulate(deforming_block(), {}, InstructionSet::baseline);
+  const Outcome plain = simulate(deforming_block(), {}, Kernel{InstructionSet::baseline, {}});
   for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
     if (set > best_instruction_set()) continue;
-    EXPECT_LT(worst_distance(simulate(deforming_block(), {}, set).points, plain.points), 1e-11);
+    EXPECT_LT(worst_distance(simulate(deforming_block(), {}, Kernel{set, {}}).points, plain.points), 1e-11);
   }
 }
 
@@ -250,14 +250,48 @@ TEST(Simulate, IsNotChangedByAnObserverThatLooks) {
   EXPECT_EQ(seen.points.x, simulate(deforming_block()).points.x);
 }
 
-TEST(Simulate, SpecialisedKernelsAgreeWithTheGeneralOne) {
-  // A second soil that no point has, with friction, a cut-off and softening, makes the general kernel run.
-  Model general = deforming_block();
-  general.soils.push_back(clay);
-  general.soils[1].peak_friction_angle = general.soils[1].residual_friction_angle = 0.1;
-  EXPECT_TRUE(soil_traits(general).has_cone && soil_traits(general).has_layers);
-  EXPECT_FALSE(soil_traits(deforming_block()).has_cone);
-  EXPECT_LT(worst_distance(simulate(general).points, simulate(deforming_block()).points), 1e-11);
+/// The deforming block of a soil that is clay but for what `change` does to it.
+template <class Change>
+Model deforming_block_of(Change change) {
+  Model model = deforming_block();
+  change(model.soils[0]);
+  return model;
+}
+
+TEST(Simulate, LeavingOutWhatNoSoilNeedsChangesNoBit) {
+  const std::vector<Model> models = {
+      deforming_block(),
+      deforming_block_of([](Material& soil) { soil.residual_cohesion = soil.peak_cohesion, soil.softening_shape = 0; }),
+      deforming_block_of([](Material& soil) { soil.peak_friction_angle = 0.2, soil.dilation_angle = 0.05; }),
+      deforming_block_of([](Material& soil) { soil.tension_cutoff = 1e3; }),
+  };
+  for (const Model& model : models)
+    for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+      if (set > best_instruction_set()) continue;
+      const SoilTraits needed = soil_traits(model);
+      const Points lean = simulate(model, {}, Kernel{set, needed}).points;
+      EXPECT_GT(*std::max_element(lean.plastic_strain.begin(), lean.plastic_strain.end()), 0.05);
+      for (const bool has_cone : {needed.has_cone, true})
+        for (const bool has_softening : {needed.has_softening, true})
+          for (const bool has_layers : {false, true}) {
+            const Points full = simulate(model, {}, Kernel{set, {has_cone, has_softening, has_layers}}).points;
+            const std::string which =
+                std::to_string(static_cast<int>(set)) + (has_cone ? " cone" : "") + (has_softening ? " softening" : "");
+            EXPECT_EQ(full.x, lean.x) << which;
+            EXPECT_EQ(full.xx, lean.xx) << which;
+            EXPECT_EQ(full.plastic_strain, lean.plastic_strain) << which;
+          }
+    }
+}
+
+TEST(Simulate, TakesTheLeanestKernel) {
+  const auto traits = [](auto change) { return kernel_for(deforming_block_of(change)).traits; };
+  EXPECT_FALSE(traits([](Material&) {}).has_cone);
+  EXPECT_TRUE(traits([](Material&) {}).has_softening);
+  EXPECT_FALSE(traits([](Material&) {}).has_layers);
+  EXPECT_FALSE(traits([](Material& soil) { soil.residual_cohesion = soil.peak_cohesion, soil.softening_shape = 0; }).has_softening);
+  EXPECT_TRUE(traits([](Material& soil) { soil.peak_friction_angle = 0.2; }).has_cone);
+  EXPECT_TRUE(traits([](Material& soil) { soil.tension_cutoff = 0; }).has_cone);
 }
 
 TEST(Simulate, SoilOfPointsStandsForLayersOfTheSameSoil) {
