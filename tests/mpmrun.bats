@@ -11,6 +11,25 @@ edited() { sed "$1" "$scene" >changed.toml; }
 
 # ---- contract ----
 
+# use_of PART: what --explain says of a part of changed.toml.
+use_of() { mpmrun changed.toml --explain | awk -F'\t' -v part="$1" '$1 == part { print $2 }'; }
+
+@test "--explain says what a scene uses and what is left out, and runs nothing" {
+  edited ''
+  run --separate-stderr mpmrun changed.toml --explain --state state.hdf
+  assert_success
+  assert_file_not_exists state.hdf
+  assert_equal "$(use_of 'update order')" MUSL
+  assert_equal "$(use_of 'softening')" yes
+  assert_equal "$(use_of 'friction, dilation, tension cut-off')" no
+  assert_equal "$(use_of 'soil looked up for each point')" no
+  edited 's/^cohesion = .*/&\nfriction_angle = "10 deg"\nresidual_friction_angle = "10 deg"/'
+  assert_equal "$(use_of 'friction, dilation, tension cut-off')" yes
+  edited 's/^contact = .*/contact = "stick"/; /^friction = /d'
+  assert_equal "$(use_of 'base contact')" stick
+  assert_equal "$(use_of 'friction on the base')" no
+}
+
 @test "--help and --version go to stdout" {
   run --separate-stderr mpmrun --help
   assert_success
@@ -108,13 +127,15 @@ edited() { sed "$1" "$scene" >changed.toml; }
 
 # ---- files on request ----
 
-@test "row, state, table and profile obey their schemas" {
+@test "row, state, table, profile and explanation obey their schemas" {
   rfgen "$scene" -n 1 | rfmap "$scene" - -o points.h5
   mpmrun "$scene" --points points.h5 -o row.tsv --state state.hdf --table points.tsv --profile profile.tsv
   assert_schema row row.tsv
   assert_schema state state.hdf
   assert_schema table points.tsv
   assert_schema profile profile.tsv
+  mpmrun "$scene" --points points.h5 --explain -o explanation.tsv
+  assert_schema explanation explanation.tsv
 }
 
 @test "only what is asked for is written" {

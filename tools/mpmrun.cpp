@@ -18,6 +18,7 @@
 #include "io/file.hpp"
 #include "io/units.hpp"
 #include "io/vtkhdf.hpp"
+#include "realization/explanation.hpp"
 #include "realization/realization.hpp"
 
 namespace slidezone {
@@ -32,6 +33,7 @@ struct Options {
   std::string profile;
   std::string frames;
   std::string every = "1 s";
+  bool explain = false;
 };
 
 /// What every file of this run says of itself. A row carries its number, so that rows of one study share their provenance.
@@ -116,6 +118,11 @@ static void run(const Options& options) {
   const auto detailed = [&](const std::string& schema) {
     return run_provenance(schema, scene, points_checksum, sample ? std::optional(options.sample) : std::nullopt);
   };
+  if (options.explain) {
+    const Model model = model_of(scene, points, sample);
+    write_output(options.output, explanation(model, sample.has_value(), detailed("slidezone-explanation 1")));
+    return;
+  }
   const Provenance state_provenance = detailed("slidezone-state 1");
   std::optional<FrameWriter> frames;
   if (!options.frames.empty()) frames.emplace(options.frames, frame_interval(options.every), points, state_provenance);
@@ -157,5 +164,6 @@ int main(int argc, char** argv) {
   app.add_option("--profile", options.profile, "Ground surface before and after, as TSV");
   CLI::Option* frames = app.add_option("--frames", options.frames, "Folder for states during the run, VTKHDF with an index for ParaView");
   app.add_option("--every", options.every, "Time between frames, with its unit")->capture_default_str()->needs(frames);
+  app.add_flag("--explain", options.explain, "Print what this scene uses and what is left out, and why, as TSV; run nothing");
   return tool_main(app, "mpmrun pipelines/benchmark/scene.toml", argc, argv, [&] { run(options); });
 }
