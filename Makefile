@@ -6,6 +6,7 @@
 #   make demo                  set up, build, run the benchmark and a small study, draw the pictures
 #   make check                 set up, build, run all tests but the slow ones
 #   make check-slow            set up, build, run the slow tests
+#   make bench                 set up, build, print what a run costs: by instruction set, size and feature; starts, fields
 #   make install PREFIX=DIR    build and install tools and man pages (default /usr/local; DESTDIR is honoured)
 #   make clean                 remove what was built and what the demo made
 SHELL := /bin/bash
@@ -19,13 +20,15 @@ PREFIX := /usr/local
 DESTDIR :=
 JOBS := $(shell nproc)
 
-# What building, testing and the demo need, and what the slow tests need on top.
+# What building, testing and the demo need, and what the slow tests and the benchmarks need on top.
 PACKAGES := g++ cmake make pkg-config libeigen3-dev libfftw3-dev libgsl-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libudunits2-dev \
             librandom123-dev libxxhash-dev libgtest-dev bats bats-assert bats-support bats-file python3-jsonschema hdf5-tools \
             gnuplot-nox help2man
 PACKAGES_SLOW := python3-vtk9 r-base-core r-cran-nortest r-cran-boot
 
-.PHONY: all tools setup demo check check-slow install clean
+PACKAGES_BENCH := libbenchmark-dev
+
+.PHONY: all tools setup demo check check-slow bench install clean
 
 # CMake's own makefiles are not clean under our flags.
 cmake := env -u MAKEFLAGS -u MAKELEVEL cmake
@@ -44,6 +47,7 @@ $(BUILD)/CMakeCache.txt: CMakeLists.txt
 
 packages = $(PACKAGES)
 check-slow: packages = $(PACKAGES) $(PACKAGES_SLOW)
+bench: packages = $(PACKAGES) $(PACKAGES_BENCH)
 
 # Missing packages; none where there is no dpkg to ask, for then CMake will tell.
 installed = $(shell dpkg-query --show --showformat '$${db:Status-Status} $${Package}\n' 2>/dev/null | sed -n 's/^installed //p')
@@ -77,6 +81,13 @@ check: setup all
 
 check-slow: setup all
 	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error --parallel $(JOBS) --label-regex slow
+
+# CMake looks for the benchmark library anew: it may just have been installed.
+bench: setup tools
+	$(cmake) -S . -B $(BUILD) >/dev/null
+	$(cmake) --build $(BUILD) --parallel $(JOBS) --target bench_kernel
+	$(BUILD)/bench/kernel pipelines/benchmark/scene.toml
+	bench/tools $(BUILD)/bin
 
 install: all
 	$(cmake) --install $(BUILD) --prefix $(PREFIX)

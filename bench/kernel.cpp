@@ -1,0 +1,131 @@
+// How long a run of the material point method takes for each point and step: on the benchmark slope for each instruction
+// set, for scenes from 10^4 to 10^6 points, and for each feature of the method. `make bench` runs it.
+//
+//   kernel pipelines/benchmark/scene.toml [--benchmark_filter=REGEX]
+//
+// Column ns_per_point_step is what counts: user time of the whole run. The machine's clock and its other users move it by a
+// quarter; compare ratios within one run.
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "realization/realization.hpp"
+
+namespace slidezone {
+namespace {
+
+double user_seconds() {
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+}
+
+using Change = std::function<void(Model&)>;
+
+/// Runs the model once per iteration, up to `seconds` of simulated time.
+void time_runs(benchmark::State& state, const Model& model, Kernel kernel) {
+  double seconds = 0;
+  double point_steps = 0;
+  for (auto _ : state) {
+    const double start = user_seconds();
+    const Outcome outcome = simulate(model, {}, kernel);
+    const double used = user_seconds() - start;
+    state.SetIterationTime(used);
+    seconds += used;
+    point_steps += static_cast<double>(outcome.steps) * static_cast<double>(model.points.count());
+  }
+  state.counters["points"] = static_cast<double>(model.points.count());
+  state.counters["ns_per_point_step"] = 1e9 * seconds / point_steps;
+}
+
+void add(const std::string& name, const Model& model, Kernel kernel) {
+  benchmark::RegisterBenchmark(name.c_str(), [model, kernel](benchmark::State& state) { time_runs(state, model, kernel); })
+      ->UseManualTime()
+      ->Iterations(1)
+      ->Unit(benchmark::kSecond);
+}
+
+Model model_of(const Scene& scene) { return model_of(scene, material_points(scene), {}); }
+
+/// The scene with cells refined `times`, for about 2e8 point steps, and 100 steps at least.
+Scene refined(Scene scene, int times) {
+  GridShape& grid = scene.discretization.grid;
+  grid = {grid.cell_x / times, grid.cell_y / times, grid.cells_x * times, grid.cells_y * times};
+  scene.time.step = *scene.time.step / times;
+  scene.time.end = *scene.time.step * std::max(100, 20000 / (times * times));
+  return scene;
+}
+
+struct Feature {
+  std::string name;
+  Change change;
+};
+
+const std::vector<Feature> features = {
+    {"as_in_the_scene", [](Model&) {}},
+    {"perfectly_plastic",
+     [](Model& model) {
+       model.soils[0].residual_cohesion = model.soils[0].peak_cohesion;
+       model.soils[0].softening_shape = 0;
+     }},
+    {"friction_that_softens",
+     [](Model& model) {
+       model.soils[0].peak_friction_angle = 0.1;
+       model.soils[0].residual_friction_angle = 0.05;
+     }},
+    {"two_soils", [](Model& model) { model.soils.push_back(model.soils[0]); }},
+    {"nonlocal_softening",
+     [](Model& model) {
+       model.nonlocal_softening = NonlocalSoftening{0.6, 2};
+     }},
+    {"B_bar", [](Model& model) { model.method.anti_locking = AntiLocking::b_bar; }},
+    {"USL", [](Model& model) { model.method.update_order = UpdateOrder::usl; }},
+    {"USF", [](Model& model) { model.method.update_order = UpdateOrder::usf; }},
+    {"linear_shape_functions", [](Model& model) { model.method.shape_functions = ShapeFunctions::linear; }},
+    {"damping", [](Model& model) { model.method.damping_rate = 0.1; }},
+    {"two_body_base", [](Model& model) { model.boundaries.base = BaseContact::two_body; }},
+};
+
+void add_all(const Scene& scene) {
+  const Model whole = model_of(scene);
+  const SoilTraits traits = soil_traits(whole);
+  const std::vector<std::pair<std::string, InstructionSet>> sets = {
+      {"baseline", InstructionSet::baseline}, {"AVX2", InstructionSet::avx2}, {"AVX-512", InstructionSet::avx512}};
+  for (const auto& [name, set] : sets)
+    if (set <= best_instruction_set()) add("whole_run/" + name, whole, {set, traits});
+  add("whole_run/nothing_left_out", whole, Kernel{best_instruction_set(), {}});
+  for (const int times : {1, 2, 4, 10}) {
+    const Model model = model_of(refined(scene, times));
+    add("size/" + std::to_string(model.points.count()) + "_points", model, {best_instruction_set(), traits});
+  }
+  for (const Feature& feature : features) {
+    Model model = whole;
+    model.time.end /= 10;
+    feature.change(model);
+    add("feature/" + feature.name, model, kernel_for(model));
+  }
+}
+
+}  // namespace
+}  // namespace slidezone
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (argc != 2) {
+    std::cerr << "Example: kernel pipelines/benchmark/scene.toml --benchmark_filter=whole_run\n";
+    return 64;
+  }
+  try {
+    slidezone::add_all(slidezone::read_scene(argv[1], {.grid = true, .soil = true, .time = true}));
+  } catch (const slidezone::Error& error) {
+    std::cerr << "kernel: " << error.what() << "\n";
+    return static_cast<int>(error.code());
+  }
+  benchmark::RunSpecifiedBenchmarks();
+}
