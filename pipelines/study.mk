@@ -11,6 +11,8 @@
 #   make Q=             show each command
 #   make -j8 converge   as many realizations as the targets want: TARGETS="mean=0.2 runout_m:quantile_0.9=0.5" (rules of mcstats
 #                       --stop), looking after LEAST=100 runs and then after each fifth more, at most CAP=10000
+#   make report         everything, and OUT/report.html: one file with pictures, tables, scene, warnings and commands, for any browser; it
+#                       wants pandoc. Under "what was calibrated" stand the scene's comments that say so
 #   make clean          remove out/
 #
 # What comes of it, in OUT:
@@ -82,12 +84,13 @@ TARGETS ?= mean=0.2
 LEAST ?= 100
 CAP ?= 10000
 
-.PHONY: all rows tables pictures converge clean FORCE
+.PHONY: all rows tables pictures converge report clean FORCE
 all: $(OUT)/summary.txt
 	@cat $<
 rows: $(or $(rows),$(OUT)/shown/row.tsv)
 tables: $(tables)
 pictures: $(pictures)
+report: $(OUT)/report.html
 converge:
 	+$(Q)$(here)converge '$(MAKE)' $(OUT) $(LEAST) $(CAP) $(TARGETS)
 clean:
@@ -190,3 +193,14 @@ shown_out := $(patsubst $(abspath $(here)..)/%,%,$(abspath $(OUT)))
 $(OUT)/summary.txt: $(result_rows) $(tables) $(pictures) $(here)summary
 	@$(here)summary -v title='$(subst ','"'"',$(call scene_value,scene.get("title", "$(SCENE)")))' -v out=$(shown_out) \
 	  $(result_rows) $(filter-out $(addprefix $(OUT)/,curve.tsv $(series)),$(tables)) >$@
+
+# ---- report -------------------------------------------------------------------------------------------------------------
+
+# The command that makes this study, as one would type it in this folder.
+made_with = make -j8$(if $(is_random), N=$(N)) SCENE=$(SCENE) OUT=$(OUT) report
+folder := $(patsubst $(abspath $(here)..)/%,%,$(CURDIR))
+
+$(OUT)/report.html: $(result_rows) $(tables) $(pictures) $(SCENE) $(here)report $(here)report.css
+	$(if $(shell command -v pandoc),,$(error 'make report' wants pandoc, which is not installed))
+	$(Q)$(here)report $(OUT) $(SCENE) $(folder) '$(made_with)' | \
+	  pandoc --from=markdown --to=html5 --self-contained --include-in-header=$(here)report.css --columns=1000 --toc --toc-depth=1 -o $@
