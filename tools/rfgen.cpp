@@ -4,9 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
-#include <filesystem>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -20,12 +18,11 @@
 #include "core/random.hpp"
 #include "core/text.hpp"
 #include "core/tool.hpp"
-#include "field/random_fields.hpp"
 #include "io/file.hpp"
 #include "io/hdf5_image.hpp"
-#include "io/table.hpp"
+#include "sampling/field_check.hpp"
+#include "sampling/sampler.hpp"
 #include "scene/scene.hpp"
-#include "scene/varied_soil.hpp"
 
 namespace slidezone {
 namespace {
@@ -36,6 +33,7 @@ struct Options {
   std::uint64_t first = 1;
   std::optional<std::uint64_t> seed;  // absent: [study] seed
   bool explain = false;
+  bool check = false;
   std::string output = "-";
 };
 
@@ -48,7 +46,7 @@ A scene may have a field of cohesion, residual_cohesion, friction_angle, youngs_
 all soils, [soil.field.cohesion] in one alone, correlated by [field.cross_correlation], of a mean that changes with depth.
 Samples are numbered from 1. Sample K depends on the scene's fields, the seed and K alone: it is the same whenever, wherever and with
 whatever other samples it is drawn. The scene chooses autocorrelation, marginal distribution and method; --explain says what that comes
-to. Where the scene names a table of measurements (data-schemas/measurements.json), every sample honours them. Cohesions and friction
+to, --check draws samples and holds them against it. Where the scene names a table of measurements (data-schemas/measurements.json), every sample honours them. Cohesions and friction
 angles below the least residual ones of the scene's soils are raised to them, friction angles above 89 degrees lowered, and counted.
 The result is an HDF5 file; data-schemas/fields.json lists what it holds.)";
 
@@ -98,98 +96,30 @@ void write_samples(const Draw& draw, const Scene& scene, RandomFields& fields, H
   file.write([&](std::string_view bytes) { output.write(bytes); });
 }
 
-/// What --explain prints of a field: the method, why, and what it costs in accuracy.
-std::string explanation(const RandomFields& fields, std::size_t field, const StudyDesign& design) {
-  const MethodReport& report = fields.report(field);
-  const std::optional<LatinHypercube>& hypercube = fields.hypercube(field);
-  return "method: " + report.method + "\nreason: " + report.reason + "\nlargest error of the covariance, of variance 1: " +
-         (report.covariance_error > 0 ? format_brief(report.covariance_error, 2) : "rounding") +
-         "\nshare of the variance kept: " + format_brief(report.variance_kept, 6) + "\n" +
-         (hypercube
-              ? "Latin hypercube: blocks of " + std::to_string(design.block_size) + " samples on " + std::to_string(hypercube->modes()) +
-                    " modes, which hold " + format_brief(hypercube->variance_share(), 3) + " of the variance\n"
-              : "");
-}
-
-/// Of one field, or of several, each after its name.
-std::string explanation(const Scene& scene, const RandomFields& fields) {
-  if (scene.fields.size() == 1) return explanation(fields, 0, scene.study.design);
-  std::string text;
-  for (std::size_t i = 0; i < scene.fields.size(); ++i)
-    text += (i > 0 ? "\nfield: " : "field: ") + scene.fields[i].name + "\n" + explanation(fields, i, scene.study.design);
-  return text;
-}
-
-/// What samples must honour, and the checksum of the table that says it; empty where there is none.
-struct Conditions {
-  std::vector<Measurement> measurements;
-  std::string checksum;
-};
-
-/// How a table of measurements writes the values of a parameter: the end of its columns' names, and that unit in SI.
-std::pair<std::string, double> written_unit(Parameter parameter) {
-  const std::string unit = kind_of(parameter).unit;
-  if (unit == "rad") return {"_deg", std::numbers::pi / 180};
-  if (unit == "N m-3") return {"_kN_m3", 1000};
-  return unit == "Pa" ? std::pair<std::string, double>{"_kPa", 1000} : std::pair<std::string, double>{"_kg_m3", 1};
-}
-
-/// One row of the table of measurements: its cell, and its value in SI units.
-Measurement measurement_of(const Table& table, std::size_t row, const Scene& scene, const FieldSpec& spec) {
-  const auto [ending, unit] = written_unit(spec.parameter);
-  const std::string where = to_string(table.where(row));
-  const double x = table.number(row, "x_m"), depth = table.number(row, "depth_m");
-  const double error = table.has_column("error" + ending) ? table.number(row, "error" + ending) : 0;
-  if (depth < 0 || error < 0) throw Error(ExitCode::data, where + ": depth and error want at least 0");
-  const double y = elevation(scene.slope.surface, x) - depth;
-  try {
-    const std::size_t cell = containing_cells(spec.model.mesh, std::vector{x}, std::vector{y}).front();
-    return {cell, unit * table.number(row, "value" + ending), unit * error, where};
-  } catch (const Error& outside) {
-    throw Error(outside.code(), where + ": " + outside.what());
-  }
-}
-
-Conditions read_conditions(const Scene& scene, const FieldSpec& spec) {
-  if (spec.measurements.empty()) return {};
-  const std::string path = (std::filesystem::path(scene.name).parent_path() / spec.measurements).string();
-  const std::string bytes = read_input(path);
-  const std::vector<std::string> columns = {"x_m", "depth_m", "value" + written_unit(spec.parameter).first};
-  const Table table = parse_tsv(bytes, path, "slidezone-measurements 1", columns);
-  Conditions conditions{{}, checksum(bytes)};
-  for (std::size_t row = 0; row < table.row_count(); ++row) conditions.measurements.push_back(measurement_of(table, row, scene, spec));
-  return conditions;
-}
-
-/// The fields of a scene, and what their provenance says of measurements.
-struct Sampler {
-  RandomFields fields;
-  std::vector<std::pair<std::string, std::string>> details;
-};
-
-Sampler sampler_of(const Scene& scene, const Draw& draw) {
-  std::vector<FieldPlan> plans;
-  std::vector<std::pair<std::string, std::string>> details;
-  for (const FieldSpec& spec : scene.fields) {
-    Conditions conditions = read_conditions(scene, spec);
-    if (!conditions.checksum.empty())
-      details.emplace_back(scene.fields.size() == 1 ? "measurements" : "measurements of " + spec.name, conditions.checksum);
-    const bool is_strength = spec.parameter == Parameter::cohesion || spec.parameter == Parameter::residual_cohesion ||
-                             spec.parameter == Parameter::friction_angle;
-    plans.push_back({spec.name, spec.model, limits_of(spec, scene), !is_strength, std::move(conditions.measurements)});
-  }
-  try {
-    return {RandomFields(std::move(plans), scene.cross_correlations, draw.seed, scene.study.design), std::move(details)};
-  } catch (const Error& error) {
-    throw Error(error.code(), scene.name + ": " + error.what());
-  }
+/// What --check prints: samples against theory, and a verdict.
+std::string check(const Scene& scene, const Draw& draw) {
+  constexpr std::uint64_t least = 20;
+  if (draw.count < least)
+    throw Error(ExitCode::usage, "--check wants at least " + std::to_string(least) + " samples, found " + std::to_string(draw.count));
+  Progress progress("rfgen", is_quiet() ? Progress::Show::never : Progress::Show::on_terminal);
+  RandomFields fields = plain_fields_of(scene, draw.seed);
+  const Table table = field_check(scene, fields, static_cast<std::uint32_t>(draw.first), draw.count, [&](std::size_t done) {
+    progress.update(static_cast<double>(done) / static_cast<double>(draw.count), "sample " + std::to_string(draw.first + done - 1));
+  });
+  Provenance origin = provenance("slidezone-field-check 1", "rfgen");
+  origin.details = {{"scene", scene.checksum},
+                    {"seed", std::to_string(draw.seed)},
+                    {"first", std::to_string(draw.first)},
+                    {"verdict", verdict_of(table)}};
+  return to_tsv(table, origin);
 }
 
 void run(const Options& options) {
-  if (!options.explain) refuse_terminal(options.output);
+  if (!options.explain && !options.check) refuse_terminal(options.output);
   const Scene scene = read_scene(options.scene, {.soil = true, .field = true});
   const Draw draw = draw_of(options, scene);
-  Sampler sampler = sampler_of(scene, draw);
+  if (options.check) return write_output(options.output, check(scene, draw));
+  Sampler sampler = sampler_of(scene, draw.seed);
   if (options.explain) return write_output(options.output, explanation(scene, sampler.fields));
   OutputFile output(options.output);
   Hdf5Writer file;
@@ -213,6 +143,9 @@ int main(int argc, char** argv) {
   app.add_option("--first", options.first, "Number of the first sample")->check(whole_number(1, last_sample))->capture_default_str();
   app.add_option("--seed", options.seed, "Seed of the study (default: [study] seed)")->check(whole_number(0));
   app.add_flag("--explain", options.explain, "Print which method makes the samples, why, and how exact it is; draw none");
+  app.add_flag("--check", options.check,
+               "Print how the samples agree with their model (TSV): mean, COV, correlations, each with its interval")
+      ->excludes("--explain");
   app.add_option("-o,--output", options.output, "Fields (HDF5); - is stdout")->capture_default_str();
   return tool_main(app, "rfgen pipelines/demo/scene.toml -n 24 -o fields.h5", argc, argv, [&] { run(options); });
 }

@@ -4,8 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
-#include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,8 +16,8 @@
 #include "field/mesh.hpp"
 #include "io/file.hpp"
 #include "io/hdf5_image.hpp"
+#include "sampling/mapper.hpp"
 #include "scene/scene.hpp"
-#include "scene/varied_soil.hpp"
 
 namespace slidezone {
 namespace {
@@ -62,82 +60,6 @@ void check_mesh(const FieldMesh& found, const FieldMesh& expected, const Hdf5Rea
                                     description(expected) + "; draw the fields from this scene");
 }
 
-/// Takes the values of a field at the points whose soils have it.
-class Mapping {
- public:
-  Mapping(const FieldSpec& spec, const MaterialPoints& points) {
-    std::vector<double> x, y;
-    for (std::size_t p = 0; p < points.x.size(); ++p) {
-      if (std::ranges::find(spec.soils, static_cast<std::size_t>(points.layer[p])) == spec.soils.end()) continue;
-      points_.push_back(p);
-      x.push_back(points.x[p]);
-      y.push_back(points.y[p]);
-    }
-    if (spec.interpolation == Interpolation::cell)
-      cells_ = containing_cells(spec.model.mesh, x, y);
-    else
-      neighbours_ = neighbours(spec.model.mesh, x, y);
-  }
-
-  void map(std::vector<ParameterValues>& values, Parameter parameter, std::span<const double> field) const {
-    const auto which = static_cast<std::size_t>(parameter);
-    for (std::size_t i = 0; i < cells_.size(); ++i) values[points_[i]][which] = field[cells_[i]];
-    for (std::size_t i = 0; i < neighbours_.size(); ++i) {
-      const auto& [cells, weights] = neighbours_[i];
-      double value = 0;
-      for (std::size_t k = 0; k < cells.size(); ++k) value += weights[k] * field[cells[k]];
-      values[points_[i]][which] = value;
-    }
-  }
-
- private:
-  std::vector<std::size_t> points_;
-  std::vector<std::size_t> cells_;  // one of the two is empty
-  std::vector<Neighbours> neighbours_;
-};
-
-/// The values of all parameters of one sample after another at the points.
-class Mapper {
- public:
-  Mapper(const Scene& scene, const MaterialPoints& points, const Hdf5Reader& fields) : scene_(scene), points_(points), fields_(fields) {
-    for (const FieldSpec& spec : scene.fields) mappings_.emplace_back(spec, points);
-  }
-
-  /// Takes up a sample; returns how many values stand at a limit.
-  std::size_t take(std::size_t sample) {
-    values_.assign(points_.x.size(), {});
-    for (std::size_t i = 0; i < mappings_.size(); ++i)
-      mappings_[i].map(values_, scene_.fields[i].parameter, fields_.reals(scene_.fields[i].name, sample));
-    std::size_t at_limits = 0;
-    for (std::size_t p = 0; p < values_.size(); ++p) at_limits += hold_within_limits(values_[p], layer(p));
-    return at_limits;
-  }
-
-  /// The values of a parameter; the soil's own where it has no field, which may follow those of another parameter.
-  void fill(std::span<double> values, Parameter parameter) const {
-    for (std::size_t p = 0; p < values.size(); ++p) {
-      const std::optional<double>& value = values_[p][static_cast<std::size_t>(parameter)];
-      values[p] = value ? *value : value_of(varied_soil(layer(p), values_[p]), parameter);
-    }
-  }
-
- private:
-  const Layer& layer(std::size_t point) const { return scene_.layers[static_cast<std::size_t>(points_.layer[point])]; }
-
-  const Scene& scene_;
-  const MaterialPoints& points_;
-  const Hdf5Reader& fields_;
-  std::vector<Mapping> mappings_;
-  std::vector<ParameterValues> values_;
-};
-
-/// Which parameters have a field, in the order of Parameter.
-std::vector<Parameter> varying(const Scene& scene) {
-  std::set<Parameter> parameters;
-  for (const FieldSpec& spec : scene.fields) parameters.insert(spec.parameter);
-  return {parameters.begin(), parameters.end()};
-}
-
 /// Cells longer than half a scale of fluctuation lose what varies between them.
 void warn_of_coarse_cells(const FieldSpec& spec) {
   const Correlation& correlation = spec.model.correlation;
@@ -151,14 +73,16 @@ void warn_of_coarse_cells(const FieldSpec& spec) {
 void write_points(const Scene& scene, const Hdf5Reader& fields, const MaterialPoints& points, Hdf5Writer& file, OutputFile& output) {
   const std::vector<std::int64_t> realizations = fields.integers("realization");
   std::vector<std::int64_t> floored(realizations.size());
-  Mapper mapper(scene, points, fields);
+  Mapper mapper(scene, points);
   std::vector<Hdf5Writer::LaterDataset> datasets;
-  for (const Parameter parameter : varying(scene)) {
+  for (const Parameter parameter : varying_parameters(scene)) {
     const bool is_first = datasets.empty();
     datasets.push_back({kind_of(parameter).name,
                         {realizations.size(), points.x.size()},
                         [&, is_first, parameter](std::size_t sample, std::span<double> values) {
-                          if (is_first) floored[sample] = static_cast<std::int64_t>(mapper.take(sample));
+                          if (is_first)
+                            floored[sample] = static_cast<std::int64_t>(
+                                mapper.take([&](std::size_t i) { return fields.reals(scene.fields[i].name, sample); }));
                           mapper.fill(values, parameter);
                         }});
   }
@@ -167,7 +91,8 @@ void write_points(const Scene& scene, const Hdf5Reader& fields, const MaterialPo
   file.dataset("x", points.x, {points.x.size()});
   file.dataset("y", points.y, {points.y.size()});
   file.datasets_later(datasets);
-  for (const Parameter parameter : varying(scene)) file.attribute(kind_of(parameter).name, "unit", std::string(kind_of(parameter).unit));
+  for (const Parameter parameter : varying_parameters(scene))
+    file.attribute(kind_of(parameter).name, "unit", std::string(kind_of(parameter).unit));
   file.dataset_later("floored", floored.size(),
                      [&](std::size_t, std::span<std::int64_t> values) { std::ranges::copy(floored, values.begin()); });
   file.write([&](std::string_view bytes) { output.write(bytes); });

@@ -104,6 +104,11 @@ void RandomFields::draw(Group& group, std::span<const std::span<double>> values,
 }
 
 std::size_t RandomFields::fill(std::size_t field, std::span<double> values, std::uint32_t sample) {
+  fill_gaussian(field, values, sample);
+  return make_values(field, values);
+}
+
+void RandomFields::fill_gaussian(std::size_t field, std::span<double> values, std::uint32_t sample) {
   const auto [group_number, member] = places_[field];
   Group& group = groups_[group_number];
   if (group.drawn.empty()) {
@@ -113,6 +118,9 @@ std::size_t RandomFields::fill(std::size_t field, std::span<double> values, std:
     group.drawn_sample = sample;
     std::ranges::copy(group.drawn[member], values.begin());
   }
+}
+
+std::size_t RandomFields::make_values(std::size_t field, std::span<double> values) const {
   transforms_[field].apply(values);
   const Limits& limits = plans_[field].limits;
   const std::size_t raised = std::isfinite(limits.low) ? raise_to_floor(values, limits.low) : 0;

@@ -50,7 +50,14 @@ class RandomFields {
   /// are correlated are drawn together: ask for all of one sample before the next.
   std::size_t fill(std::size_t field, std::span<double> values, std::uint32_t sample);
 
+  /// The same in two steps: the standard Gaussian field, and the values made of it.
+  void fill_gaussian(std::size_t field, std::span<double> values, std::uint32_t sample);
+  std::size_t make_values(std::size_t field, std::span<double> values) const;
+
   const MethodReport& report(std::size_t field) const { return groups_[places_[field].group].gaussian.report(); }
+
+  const FieldPlan& plan(std::size_t field) const { return plans_[field]; }
+  const CellTransform& transform(std::size_t field) const { return transforms_[field]; }
 
   /// Nothing but for a Latin hypercube.
   const std::optional<LatinHypercube>& hypercube(std::size_t field) const { return groups_[places_[field].group].hypercube; }

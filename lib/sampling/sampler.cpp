@@ -1,0 +1,117 @@
+#include "sampling/sampler.hpp"
+
+#include <filesystem>
+#include <numbers>
+#include <optional>
+
+#include "core/error.hpp"
+#include "core/provenance.hpp"
+#include "core/text.hpp"
+#include "io/file.hpp"
+#include "io/table.hpp"
+#include "scene/varied_soil.hpp"
+
+namespace slidezone {
+
+namespace {
+
+/// What samples must honour, and the checksum of the table that says it; empty where there is none.
+struct Conditions {
+  std::vector<Measurement> measurements;
+  std::string checksum;
+};
+
+/// How a table of measurements writes the values of a parameter: the end of its columns' names, and that unit in SI.
+std::pair<std::string, double> written_unit(Parameter parameter) {
+  const std::string unit = kind_of(parameter).unit;
+  if (unit == "rad") return {"_deg", std::numbers::pi / 180};
+  if (unit == "N m-3") return {"_kN_m3", 1000};
+  return unit == "Pa" ? std::pair<std::string, double>{"_kPa", 1000} : std::pair<std::string, double>{"_kg_m3", 1};
+}
+
+/// One row of the table of measurements: its cell, and its value in SI units.
+Measurement measurement_of(const Table& table, std::size_t row, const Scene& scene, const FieldSpec& spec) {
+  const auto [ending, unit] = written_unit(spec.parameter);
+  const std::string where = to_string(table.where(row));
+  const double x = table.number(row, "x_m"), depth = table.number(row, "depth_m");
+  const double error = table.has_column("error" + ending) ? table.number(row, "error" + ending) : 0;
+  if (depth < 0 || error < 0) throw Error(ExitCode::data, where + ": depth and error want at least 0");
+  const double y = elevation(scene.slope.surface, x) - depth;
+  try {
+    const std::size_t cell = containing_cells(spec.model.mesh, std::vector{x}, std::vector{y}).front();
+    return {cell, unit * table.number(row, "value" + ending), unit * error, where};
+  } catch (const Error& outside) {
+    throw Error(outside.code(), where + ": " + outside.what());
+  }
+}
+
+Conditions read_conditions(const Scene& scene, const FieldSpec& spec) {
+  if (spec.measurements.empty()) return {};
+  const std::string path = (std::filesystem::path(scene.name).parent_path() / spec.measurements).string();
+  const std::string bytes = read_input(path);
+  const std::vector<std::string> columns = {"x_m", "depth_m", "value" + written_unit(spec.parameter).first};
+  const Table table = parse_tsv(bytes, path, "slidezone-measurements 1", columns);
+  Conditions conditions{{}, checksum(bytes)};
+  for (std::size_t row = 0; row < table.row_count(); ++row) conditions.measurements.push_back(measurement_of(table, row, scene, spec));
+  return conditions;
+}
+
+bool is_strength(Parameter parameter) {
+  return parameter == Parameter::cohesion || parameter == Parameter::residual_cohesion || parameter == Parameter::friction_angle;
+}
+
+FieldPlan plan_of(const Scene& scene, const FieldSpec& spec) {
+  return {spec.name, spec.model, limits_of(spec, scene), !is_strength(spec.parameter), {}};
+}
+
+RandomFields fields_of(const Scene& scene, std::vector<FieldPlan> plans, std::uint64_t seed, const StudyDesign& design) {
+  try {
+    return RandomFields(std::move(plans), scene.cross_correlations, seed, design);
+  } catch (const Error& error) {
+    throw Error(error.code(), scene.name + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+Sampler sampler_of(const Scene& scene, std::uint64_t seed) {
+  std::vector<FieldPlan> plans;
+  std::vector<std::pair<std::string, std::string>> details;
+  for (const FieldSpec& spec : scene.fields) {
+    Conditions conditions = read_conditions(scene, spec);
+    if (!conditions.checksum.empty())
+      details.emplace_back(scene.fields.size() == 1 ? "measurements" : "measurements of " + spec.name, conditions.checksum);
+    plans.push_back(plan_of(scene, spec));
+    plans.back().measurements = std::move(conditions.measurements);
+  }
+  return {fields_of(scene, std::move(plans), seed, scene.study.design), std::move(details)};
+}
+
+RandomFields plain_fields_of(const Scene& scene, std::uint64_t seed) {
+  std::vector<FieldPlan> plans;
+  for (const FieldSpec& spec : scene.fields) plans.push_back(plan_of(scene, spec));
+  return fields_of(scene, std::move(plans), seed, {});
+}
+
+static std::string explanation(const RandomFields& fields, std::size_t field, const StudyDesign& design) {
+  const MethodReport& report = fields.report(field);
+  const std::optional<LatinHypercube>& hypercube = fields.hypercube(field);
+  return "method: " + report.method + "\nreason: " + report.reason + "\nlargest error of the covariance, of variance 1: " +
+         (report.covariance_error > 0 ? format_brief(report.covariance_error, 2) : "rounding") +
+         "\nshare of the variance kept: " + format_brief(report.variance_kept, 6) + "\n" +
+         (hypercube
+              ? "Latin hypercube: blocks of " + std::to_string(design.block_size) + " samples on " + std::to_string(hypercube->modes()) +
+                    " modes, which hold " + format_brief(hypercube->variance_share(), 3) + " of the variance\n"
+              : "");
+}
+
+/// Of one field, or of several, each after its name.
+std::string explanation(const Scene& scene, const RandomFields& fields) {
+  if (scene.fields.size() == 1) return explanation(fields, 0, scene.study.design);
+  std::string text;
+  for (std::size_t i = 0; i < scene.fields.size(); ++i)
+    text += (i > 0 ? "\nfield: " : "field: ") + scene.fields[i].name + "\n" + explanation(fields, i, scene.study.design);
+  return text;
+}
+
+}  // namespace slidezone
