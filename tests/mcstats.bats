@@ -295,7 +295,7 @@ refuses() {
   pairs 20 | head -n -1 >rows.tsv
   run --separate-stderr mcstats rows.tsv --least-runs 31
   assert_success
-  assert_equal "$stderr" "mcstats: warning: 1 of the 20 pairs are incomplete: their runs count, and intervals allow for it"
+  assert_equal "$stderr" "mcstats: warning: 20 pairs, incomplete: 1; their runs count, and intervals allow for it"
   assert_equal "$(value runs total <<<"$output")" 39
   assert_equal "$(value runs next_look <<<"$output")" 48
 }
@@ -304,7 +304,7 @@ refuses() {
   pairs 10 | sed 's/antithetic\t.*/Latin hypercube\t1/' >rows.tsv
   run --separate-stderr mcstats rows.tsv
   assert_success
-  assert_regex "$stderr" 'only 1 blocks: '
+  assert_regex "$stderr" 'only 1 block: '
   for statistic in mean quantile_0.5 bootstrap_mean; do assert_equal "$(value runout_m $statistic 5 <<<"$output")" unbounded; done
   assert_equal "$(value runs probability_of_failure 4 <<<"$output")" 0
 }

@@ -193,6 +193,15 @@ END
   assert_equal "$(grep -c '^[0-9]' "$study/out/rows.tsv")" 7001
 }
 
+@test "a study drawn in pairs counts pairs" {
+  sed -i 's/^realizations = .*/&\ndesign = "antithetic"/' "$study/scene.toml"
+  run_study tables N=4
+  assert_success
+  assert_output --partial "mcstats: warning: only 2 pairs: intervals rest on what differs between them"
+  assert_equal "$(awk -F '\t' '$2 == "blocks" { print $3 }' "$study/out/statistics.tsv")" 2
+  assert_equal "$(grep -v '^[0#]' "$study/out/rows.tsv" | cut -f 12,13 | xargs)" "design block antithetic 1 antithetic 1 antithetic 2 antithetic 2"
+}
+
 @test "a scene without a field is one deterministic run" {
   sed -i '/^\[field/,$d' "$study/scene.toml"
   run_study

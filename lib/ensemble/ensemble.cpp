@@ -69,11 +69,10 @@ BlockCount block_count(std::span<const Row> rows) {
 static std::vector<std::string> cautions_on_blocks(std::span<const Row> rows) {
   const BlockCount count = block_count(rows);
   if (count.size <= 1) return {};
-  const std::string blocks = std::to_string(count.blocks) + (count.size == 2 ? " pairs" : " blocks");
+  const std::string blocks = std::to_string(count.blocks) + (count.size == 2 ? " pair" : " block") + (count.blocks == 1 ? "" : "s");
   std::vector<std::string> texts;
   if (count.incomplete > 0)
-    texts.push_back(std::to_string(count.incomplete) + " of the " + blocks +
-                    " are incomplete: their runs count, and intervals allow for it");
+    texts.push_back(blocks + ", incomplete: " + std::to_string(count.incomplete) + "; their runs count, and intervals allow for it");
   if (count.blocks < 10)
     texts.push_back("only " + blocks + ": intervals rest on what differs between them, and are wide; below 5 some have no end");
   return texts;

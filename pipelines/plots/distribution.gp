@@ -15,6 +15,7 @@ array colour[5] = ["#d95f02", "#7570b3", "#1b9e77", "#666666", "#a6761d"]
 array dash[5] = [1, 2, 4, 3, 5]
 
 set border 3
+set autoscale xfix
 set xtics out nomirror
 set ytics out nomirror
 set style fill solid 1 border lc "#ffffff"

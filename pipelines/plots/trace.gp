@@ -27,7 +27,7 @@ do for [format in "png svg"] {
       set xlabel statistic eq "sd" ? "realizations" : ""
       set ylabel panel eq "influence_m" ? "m" : ""
       # The first runs scatter beyond all measure: the axis is scaled to what comes after a tenth of them.
-      since = runs / 10
+      since = runs > 40 ? runs / 10 : runs > 4 ? 4 : 0  # fewer than 5 bound no sd
       if (runs < 2) { plot NaN notitle; continue }
       plot trace using (column("n") > since ? column("n") : NaN):(of(panel, column(statistic."_low_m"))):(of(panel, column(statistic."_high_m"))) \
              with filledcurves lc "#c6dbef" title "95 % band", \
