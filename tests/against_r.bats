@@ -64,3 +64,27 @@ in_r() {
     assert_near "$(cut -f 5 <<<"$line")" "$(in_r "binom.test(sum(x > $distance), 60)\$conf.int[2]")" 1e-10
   done
 }
+
+@test "intervals of pairs are those of their means" {
+  pairs 30 >rows.tsv
+  mcstats rows.tsv >statistics
+  in_r 't.test(tapply(x, read.delim("rows.tsv", comment.char = "#")$block, mean))$conf.int' >mean
+  assert_near "$(value mean 4)" "$(sed -n 1p mean)" 1e-12
+  assert_near "$(value mean 5)" "$(sed -n 2p mean)" 1e-12
+}
+
+@test "differences by realization are those of paired tests, and rank intervals those of the binomial" {
+  rows >rows.tsv
+  rows | awk -F '\t' -v OFS='\t' '/^[0-9]/ { $3 += 0.3 + $1 % 7 / 10; $4 = $3 + 10 } { print }' >other.tsv
+  mcstats other.tsv --against rows.tsv >statistics
+  in_r '{ y <- read.delim("other.tsv", comment.char = "#")$influence_m; c(t.test(y, x, paired = TRUE)$conf.int, sd(y) / sd(x), cor(x, y)) }' >paired
+  assert_near "$(value mean_difference 4)" "$(sed -n 1p paired)" 1e-11
+  assert_near "$(value mean_difference 5)" "$(sed -n 2p paired)" 1e-11
+  assert_near "$(value sd_ratio)" "$(sed -n 3p paired)" 1e-12
+  assert_near "$(value correlation)" "$(sed -n 4p paired)" 1e-12
+  mcstats rows.tsv >statistics
+  # The highest rank r with P(B <= r - 1) <= 2.5 % and the lowest with P(B >= r) <= 2.5 %.
+  in_r '{ s <- sort(x); c(s[max(which(pbinom(0:59, 60, 0.75) <= 0.025))], s[min(which(1 - pbinom(0:59, 60, 0.75) <= 0.025))]) }' >ranks
+  assert_near "$(value quantile_0.75 4)" "$(sed -n 1p ranks)" 1e-12
+  assert_near "$(value quantile_0.75 5)" "$(sed -n 2p ranks)" 1e-12
+}

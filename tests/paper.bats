@@ -77,4 +77,7 @@ judged() {
   assert_equal "$(judged grows -1 -0.5 mean_difference b)" differs
   assert_equal "$(judged grows 0.9 1.2 sd_ratio b)" undecided
   assert_equal "$(judged grows 1.1 1.2 sd_ratio b)" "trend agrees"
+  printf '1m_0.25\t.\trunout_m\tdeterministic\t9\n' >>claims.tsv
+  "$TOP/pipelines/paper/compare" claims.tsv out 1m_0.25
+  assert_equal "$(tail -1 out/verdicts.tsv | cut -f 6,10)" "nan	no interval"
 }
