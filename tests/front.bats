@@ -35,7 +35,7 @@ run_make() { PATH=$make_path run make --no-print-directory -C "$TOP" PACKAGES="m
   run git -C "$TOP" ls-tree --name-only HEAD
   assert_success
   run grep -v '^\.' <<<"$output"
-  assert_output "$(printf '%s\n' CMakeLists.txt LICENSE Makefile README.md data-schemas lib pipelines tests tools)"
+  assert_output "$(printf '%s\n' CMakeLists.txt LICENSE Makefile README.md bench data-schemas lib pipelines tests tools)"
 }
 
 @test "README shows every tool and names no file that is not there" {
