@@ -1,0 +1,2 @@
+# Single exponential
+s/^autocorrelation = .*/autocorrelation = "single exponential"/

@@ -1,0 +1,2 @@
+# Squared exponential
+s/^autocorrelation = .*/autocorrelation = "squared exponential"/

@@ -1,0 +1,2 @@
+# Second-order Markov
+s/^autocorrelation = .*/autocorrelation = "second-order Markov"/

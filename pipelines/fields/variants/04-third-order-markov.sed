@@ -1,0 +1,2 @@
+# Third-order Markov
+s/^autocorrelation = .*/autocorrelation = "third-order Markov"/

@@ -1,0 +1,2 @@
+# Cosine exponential
+s/^autocorrelation = .*/autocorrelation = "cosine exponential"/

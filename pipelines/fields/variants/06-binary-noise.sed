@@ -1,0 +1,2 @@
+# Binary noise
+s/^autocorrelation = .*/autocorrelation = "binary noise"/

@@ -1,0 +1,2 @@
+# Matern, smoothness 0.25
+s/^autocorrelation = .*/autocorrelation = "Matern"\nsmoothness = 0.25/

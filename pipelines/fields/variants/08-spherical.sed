@@ -1,0 +1,2 @@
+# Spherical, elliptical lag
+s/^autocorrelation = .*/autocorrelation = "spherical"\nlag = "elliptical"/

@@ -1,0 +1,3 @@
+# Uniform marginal
+s/^marginal = .*/marginal = "uniform"/
+s/^autocorrelation = .*/autocorrelation = "second-order Markov"/
