@@ -25,7 +25,7 @@
 #   *.png *.svg, summary.txt
 # A scene without [field] is one deterministic run, realization 0: shown/ and its picture.
 #
-# What is there is kept only as long as the scene's text and the bytes of the tools that made it are the same: rows of two scenes
+# What is there is kept only as long as the scene's text, its measurements and the bytes of the tools that made it are the same: rows of two scenes
 # or of two versions never stand in one table.
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
@@ -49,6 +49,9 @@ scene_value = $(shell python3 -c 'import sys, tomllib; scene = tomllib.load(open
 has_field := $(call scene_value,any("field" in table for table in [scene, *scene.get("soil", [])]))
 $(if $(filter True False,$(has_field)),,$(error $(SCENE): $(has_field)))
 is_random := $(filter True,$(has_field))
+# Tables of measurements that its fields honour, named from the scene's folder.
+measurements := $(if $(is_random),$(addprefix $(dir $(SCENE)),$(call scene_value,\
+  " ".join(field["measurements"] for table in [scene, *scene.get("soil", [])] for field in table.get("field", {}).values() if "measurements" in field))))
 ifndef N
 N := $(if $(is_random),$(call scene_value,scene["study"]["realizations"]),0)
 endif
@@ -108,6 +111,9 @@ $(OUT)/tools.sum: FORCE | $(OUT)
 	  $(error $(tool) is neither in $(TOOLS) nor in PATH: run make at the top level first)))
 	@sums=$$(cat $$(command -v $(run_tools)) | cksum); [[ -e $@ && $$sums == "$$(<$@)" ]] || echo "$$sums" >$@
 
+$(OUT)/measurements.sum: FORCE | $(OUT)
+	@sums=$$(cat $(measurements) </dev/null | cksum); [[ -e $@ && $$sums == "$$(<$@)" ]] || echo "$$sums" >$@
+
 # A smaller N makes no new row, but other tables.
 $(OUT)/realizations: FORCE | $(OUT)
 	@cmp -s <(echo $(N)) $@ || echo $(N) >$@
@@ -123,7 +129,7 @@ number = $$((10\#$*))
 
 made_by := $(OUT)/scene.toml $(OUT)/tools.sum
 
-$(OUT)/fields/%.h5: $(made_by) | $(OUT)/fields
+$(OUT)/fields/%.h5: $(made_by) $(OUT)/measurements.sum | $(OUT)/fields
 	$(Q)rfgen $(SCENE) --first $(number) -n $(batch_size) --quiet -o $@
 
 $(OUT)/points/%.h5: $(OUT)/fields/%.h5 | $(OUT)/points

@@ -97,6 +97,35 @@ sums() { (cd "$1" && find . -name '*.tsv' -o -name '*.h5' -o -name '*.hdf' | sor
   assert_output 1
 }
 
+@test "other measurements make everything anew, a touch of their table nothing" {
+  sed -i '/^\[field.cohesion\]/a measurements = "borings.tsv"' "$study/scene.toml"
+  printf '%s\t%s\t%s\n' x_m depth_m value_kPa 2.1 0.6 6 >"$study/borings.tsv"
+  run_study rows N=2
+  assert_success
+  forget_calls
+  touch "$study/borings.tsv"
+  run_study rows N=2
+  assert_success
+  assert_equal "$(<"$calls")" ""
+  sed -i 's/6$/4/' "$study/borings.tsv"
+  run_study rows N=2
+  assert_success
+  assert_equal "$(samples_run)" "1 2"
+  rm "$study/borings.tsv"
+  run_study rows N=2
+  assert_failure
+  assert_output --partial "borings.tsv"
+}
+
+@test "a study of one soil's field is random, and rows carry its design" {
+  sed -i 's/^\[field.cohesion\]/[soil.field.cohesion]/; s/^seed = 1/&\ndesign = "antithetic"/' "$study/scene.toml"
+  awk '/^\[soil.field/ { hold = 1 } /^\[study\]/ { hold = 0 } hold { field = field $0 "\n"; next } { rest = rest $0 "\n" }
+    END { sub(/\n\[base\]/, "\n" field "[base]", rest); printf "%s", rest }' "$study/scene.toml" >"$study/own.toml"
+  run_study rows N=4 SCENE=own.toml
+  assert_success
+  assert_equal "$(tail -qn 1 "$study"/out/rows/00000[1-4].tsv | cut -f 12,13 | tr '\t\n' ': ')" "antithetic:1 antithetic:1 antithetic:2 antithetic:2 "
+}
+
 @test "another build of mpmrun runs everything anew, an equal one nothing" {
   run_study tables N=2
   assert_success

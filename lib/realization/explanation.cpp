@@ -75,7 +75,8 @@ std::string explanation(const Model& model, bool has_sample, const Provenance& p
   feature("softening", kernel.traits.has_softening, "some soil loses strength as it yields", "every soil is perfectly plastic");
   feature("nonlocal softening", model.nonlocal_softening.has_value(), "the scene gives its length",
           "softening follows each point's own strain");
-  feature("soil looked up for each point", kernel.traits.has_layers, "there are several soils",
+  feature("soil looked up for each point", kernel.traits.has_layers,
+          model.point_soils.empty() ? "there are several soils" : "parameters beside the cohesion vary from point to point",
           "one soil: its constants stay in registers");
   feature("strength of each point", has_sample, "from the field sample", "each soil has one strength");
   feature("B-bar", model.method.anti_locking == AntiLocking::b_bar, "the scene asks for it", "the scene does not ask for it");
