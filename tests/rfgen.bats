@@ -248,6 +248,11 @@ moments_of() {
   run ! cmp -s other among
 }
 
+@test "a sample keeps its bits from version to version" {
+  rfgen "$scene" --first 7 -n 1 -o seventh.h5
+  assert_equal "$(sample seventh.h5 0 | md5sum | cut -d' ' -f1)" 2e48d2c966d59832b0231563f00dd765 # as of version 0.1.0
+}
+
 @test "values have the mean, the spread and the floor of the scene" {
   # Four standard errors each, as tests/unit/field.cpp has them for 400 samples; here are 40.
   sed 's/^cov = .*/cov = 0.5/' "$scene" >wide.toml

@@ -104,6 +104,12 @@ h5_numbers() { h5dump -A 0 -y -w 1 -m %.17g -d "$2" "${@:3}" "$1" | sed -n 's/^ 
   assert_schema points a.h5
 }
 
+@test "memory does not grow with the number of samples" {
+  rfgen "$scene" -n 1000 -o many.h5
+  run bash -c "ulimit -d 40000; rfmap '$scene' many.h5 >/dev/null" # 100 MB of numbers, 40 MB of data
+  assert_success
+}
+
 # ---- mapping ----
 
 @test "each point takes the value of the cell that contains it" {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/error.hpp"
@@ -111,7 +112,8 @@ static void run(const Options& options) {
   std::optional<FieldSample> sample;
   std::string points_checksum;
   if (!options.points.empty()) {
-    const std::string image = read_input(options.points);
+    const InputFile file(options.points);
+    const std::string_view image = file.bytes();
     points_checksum = checksum(image);
     sample = field_sample(image, input_name(options.points), points, options.sample);
   }

@@ -101,8 +101,8 @@ void write_points(const Scene& scene, const Hdf5Reader& fields, const MaterialPo
 void run(const Options& options) {
   refuse_terminal(options.output);
   const Scene scene = read_scene(options.scene, {.grid = true, .soil = true, .field = true});
-  const std::string image = read_input(options.fields);
-  const Hdf5Reader fields(image, input_name(options.fields), "slidezone-fields 1");
+  const InputFile image(options.fields);
+  const Hdf5Reader fields(image.bytes(), input_name(options.fields), "slidezone-fields 1");
   const std::size_t samples = fields.integers("realization").size();
   for (const FieldSpec& spec : scene.fields) {
     check_mesh(mesh_of(fields, spec.name, samples), spec.model.mesh, fields, scene);
@@ -112,7 +112,7 @@ void run(const Options& options) {
   Hdf5Writer file;
   Provenance origin = provenance("slidezone-points 1", "rfmap");
   origin.details = {{"scene", scene.checksum},
-                    {"fields", checksum(image)},
+                    {"fields", checksum(image.bytes())},
                     {"seed", fields.text_attribute("", "seed")},
                     {"design", fields.text_attribute("", "design")}};
   file.provenance(origin);

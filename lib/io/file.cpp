@@ -1,6 +1,7 @@
 #include "io/file.hpp"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -117,9 +118,41 @@ void refuse_terminal(const std::string& path) {
 
 std::string input_name(const std::string& path) { return path == "-" ? "stdin" : path; }
 
+static int open_input(const std::string& path) {
+  const int number = path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (number < 0) fail_with_reason(ExitCode::no_input, path, "cannot be opened");
+  return number;
+}
+
+struct InputFile::State {
+  std::string read;  // of what cannot be mapped
+  void* mapped = MAP_FAILED;
+  std::size_t size = 0;
+};
+
+InputFile::InputFile(const std::string& path) : state_(new State) {
+  const Descriptor file(open_input(path));
+  struct stat status {};
+  const bool is_regular = ::fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode);
+  const bool is_at_start = ::lseek(file.number(), 0, SEEK_CUR) == 0;  // stdin may have been read in part
+  if (is_regular && is_at_start && status.st_size > 0) {
+    state_->size = static_cast<std::size_t>(status.st_size);
+    state_->mapped = ::mmap(nullptr, state_->size, PROT_READ, MAP_PRIVATE, file.number(), 0);
+  }
+  if (state_->mapped == MAP_FAILED) state_->read = read_input(path);
+}
+
+InputFile::~InputFile() {
+  if (state_->mapped != MAP_FAILED) ::munmap(state_->mapped, state_->size);
+}
+
+std::string_view InputFile::bytes() const {
+  if (state_->mapped == MAP_FAILED) return state_->read;
+  return {static_cast<const char*>(state_->mapped), state_->size};
+}
+
 std::string read_input(const std::string& path) {
-  const Descriptor file(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file.is_open()) fail_with_reason(ExitCode::no_input, path, "cannot be opened");
+  const Descriptor file(open_input(path));
   struct stat status {};
   std::string bytes;
   constexpr std::size_t chunk = 1 << 16;

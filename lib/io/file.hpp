@@ -14,6 +14,22 @@ namespace slidezone {
 /// The bytes of the file, or of stdin for "-". Throws with ExitCode::no_input if it cannot be opened, io if not read.
 std::string read_input(const std::string& path);
 
+/// The same without a copy: a regular file is mapped, so that only the parts in use lie in memory; a stream is read. The file must
+/// keep its size meanwhile, as files of this suite do: they are renamed into place.
+class InputFile {
+ public:
+  explicit InputFile(const std::string& path);
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  std::string_view bytes() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
 /// Throws with ExitCode::cannot_create if the target cannot be created, io if writing fails.
 void write_output(const std::string& path, std::string_view bytes);
 

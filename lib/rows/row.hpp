@@ -50,7 +50,7 @@ struct Row {
   double rest_time = 0;       // when the slide came to rest, s
   std::uint64_t steps = 0;
   double energy_error = 0;    // error of the energy balance over the work of gravity or, where soil hardly sinks, over what it started with
-  std::uint64_t floored = 0;  // field values that were raised to the floor
+  std::uint64_t floored = 0;  // field values that stand at a limit
   Design design = Design::plain;
   std::uint64_t block = 0;  // pair or hypercube that the realization belongs to; its own number where plain
 };

@@ -222,6 +222,12 @@ TEST_F(Files, WritesThroughALink) {
 
 TEST_F(Files, NamesWhatIsMissing) {
   message_of([&] { read_input(folder / "absent"); }, ExitCode::no_input);
+  write_output(folder / "real", "new");
+  EXPECT_EQ(InputFile(folder / "real").bytes(), "new");
+  EXPECT_EQ(InputFile("/dev/null").bytes(), "");
+  write_output(folder / "empty", "");
+  EXPECT_EQ(InputFile(folder / "empty").bytes(), "");
+  message_of([&] { InputFile(folder / "absent"); }, ExitCode::no_input);
   message_of([&] { write_output(folder / "no" / "such", "x"); }, ExitCode::cannot_create);
   message_of([&] { write_output(folder, "x"); }, ExitCode::cannot_create);
 }
