@@ -45,9 +45,11 @@ const char* const manual =
 A scene may have a field of cohesion, residual_cohesion, friction_angle, youngs_modulus and unit_weight or density: [field.cohesion] in
 all soils, [soil.field.cohesion] in one alone, correlated by [field.cross_correlation], of a mean that changes with depth.
 Samples are numbered from 1. Sample K depends on the scene's fields, the seed and K alone: it is the same whenever, wherever and with
-whatever other samples it is drawn. The scene chooses autocorrelation, marginal distribution and method; --explain says what that comes
-to, --check draws samples and holds them against it. Where the scene names a table of measurements (data-schemas/measurements.json), every sample honours them. Cohesions and friction
-angles below the least residual ones of the scene's soils are raised to them, friction angles above 89 degrees lowered, and counted.
+whatever other samples it is drawn, also in the antithetic pairs or Latin hypercubes that [study] design may ask for.
+The scene chooses autocorrelation, marginal distribution and method; --explain says what that comes to, --check holds samples against
+it: each drawn by itself, without measurements. Where the scene names a table of measurements (data-schemas/measurements.json), all other
+samples honour them. Cohesions and friction angles below the least residual ones of the scene's soils are raised to them, friction
+angles above 89 degrees lowered to that, and counted.
 The result is an HDF5 file; data-schemas/fields.json lists what it holds.)";
 
 /// What is drawn: samples first ... first + count - 1.

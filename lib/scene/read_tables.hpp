@@ -2,6 +2,8 @@
 // it fits what was read before. Values in SI units; errors as in io/toml.hpp.
 #pragma once
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 #include "io/toml.hpp"
@@ -36,6 +38,20 @@ Scheme read_method(const TomlTable& table);
 
 /// [nonlocal_softening]; some soil must soften.
 NonlocalSoftening read_nonlocal_softening(const TomlTable& table, const std::vector<Layer>& layers);
+
+/// The value whose name, among `names` in the order of the enumeration, is the key's text.
+template <class Value>
+Value named_or(const TomlTable& table, const std::string& key, const std::vector<std::string>& names, Value absent) {
+  if (!table.has(key)) return absent;
+  return static_cast<Value>(std::ranges::find(names, table.choice(key, names)) - names.begin());
+}
+
+/// One [field.<parameter>]; which soils have it is not its own to say.
+FieldSpec read_field(const TomlTable& table, Parameter parameter, const Slope& slope);
+
+/// Whether the values of a field, read from `table`, can be those of its soils: their means above the residual strength, unless that
+/// is a field itself; angles below 89 degrees; residual cohesion in soils that soften.
+void check_values(const TomlTable& table, const FieldSpec& spec, const std::vector<Layer>& layers, bool has_residual_field);
 
 struct Fields {
   std::vector<FieldSpec> specs;
