@@ -2,7 +2,8 @@
 //
 //   plain            each realization by itself
 //   antithetic       in pairs: the normal numbers of the second are those of the first with their signs turned
-//   Latin hypercube  in blocks: each normal number falls once into each of as many equally probable strata as the block has members
+//   Latin hypercube  in blocks: the amplitude of each leading mode of a field falls once into each of as many equally probable strata
+//                    as the block has members (field/latin_hypercube.hpp)
 // Realizations of one block depend on each other, blocks do not. The block of a plain realization is its own number.
 #pragma once
 
