@@ -10,7 +10,8 @@
 #   make rows           the runs alone; make tables: and what follows from them but pictures
 #   make Q=             show each command
 #   make -j8 converge   as many realizations as the targets want: TARGETS="mean=0.2 runout_m:quantile_0.9=0.5" (rules of mcstats
-#                       --stop), looking after LEAST=100 runs and then after each fifth more, at most CAP=10000
+#                       --stop), looking after LEAST=100 runs and then after each fifth more, at most CAP=10000; of runs drawn in
+#                       blocks, LEAST and CAP are best whole numbers of blocks
 #   make report         everything, and OUT/report.html: one file with pictures, tables, scene, warnings and commands, for any browser; it
 #                       wants pandoc. Under "what was calibrated" stand the scene's comments that say so
 #   make clean          remove out/
