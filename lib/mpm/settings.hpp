@@ -38,10 +38,12 @@ struct Gravity {
   std::optional<double> k0;  // absent: nu / (1 - nu) of each soil
 };
 
-/// The run ends early once the kinetic energy on the grid has stayed below `fraction` of its peak for `hold`.
+/// The run ends early once two things have stayed below a fraction of their peaks for `hold`: the kinetic energy on the grid, and
+/// the growth of plastic strain, for a late block begins as a shear band that creeps while hardly anything moves.
 struct RestRule {
-  double fraction = 0.003;
-  double hold = 3;  // s
+  double energy_fraction = 0.01;
+  double strain_fraction = 0.001;
+  double hold = 1;  // s
 };
 
 struct TimeStepping {

@@ -19,7 +19,6 @@ namespace {
 const std::vector<Material>& materials(const Model& model) { return model.point_soils.empty() ? model.soils : model.point_soils; }
 
 constexpr std::uint64_t sort_interval = 50;  // steps
-constexpr double rest_fraction = 0.003;      // of the peak kinetic energy, where the scene has no rest rule
 
 double kinetic_energy(const Points& points) {
   double energy = 0;
@@ -100,19 +99,36 @@ struct DilationStorage {
   }
 };
 
-/// When the grid's kinetic energy last was above a fraction of its peak.
+/// Plastic strain of all points by their mass, kg/m.
+double plastic_strain_by_mass(const Points& points) {
+  return std::inner_product(points.mass.begin(), points.mass.end(), points.plastic_strain.begin(), 0.0);
+}
+
+/// When the slope last moved or strained by more than the rule's fractions of the peaks. Strain is looked at ten times in the
+/// time that the rule holds.
 class RestWatch {
  public:
-  explicit RestWatch(double fraction) : fraction_(fraction) {}
-  void see(double time, double kinetic) {
-    peak_ = std::max(peak_, kinetic);
-    if (kinetic > fraction_ * peak_) moving_until_ = time;
+  explicit RestWatch(RestRule rule) : rule_(rule) {}
+
+  void see(double time, double kinetic, const Points& points) {
+    most_kinetic_ = std::max(most_kinetic_, kinetic);
+    if (kinetic > rule_.energy_fraction * most_kinetic_) moving_until_ = time;
+    if (time < next_look_) return;
+    next_look_ = time + 0.1 * rule_.hold;
+    const double strain = plastic_strain_by_mass(points);
+    const double growth = strain - strain_;
+    strain_ = strain;
+    most_growth_ = std::max(most_growth_, growth);
+    if (growth > rule_.strain_fraction * most_growth_) moving_until_ = time;
   }
   double moving_until() const { return moving_until_; }
 
  private:
-  double fraction_;
-  double peak_ = 0;
+  RestRule rule_;
+  double most_kinetic_ = 0;
+  double most_growth_ = 0;  // of strain, from look to look
+  double strain_ = 0;
+  double next_look_ = 0;  // s
   double moving_until_ = 0;
 };
 
@@ -183,6 +199,7 @@ class Run {
   double step() const { return step_; }
   std::uint64_t steps() const { return steps_; }
   double grid_kinetic() const { return grid_kinetic_; }
+  const Points& points() const { return points_; }
 
   /// The points with the step in progress completed, in their first order; the run itself is not touched.
   Points completed_points() const {
@@ -395,12 +412,12 @@ Outcome simulate(Model model, const Observer& observer, std::optional<Kernel> ke
   Run run(std::move(model), chosen);
   const auto last_step = static_cast<std::uint64_t>(std::ceil(stepping.end / run.step() - 1e-9));
   const std::function<Points()> points = [&run] { return run.completed_points(); };
-  RestWatch watch(stepping.rest ? stepping.rest->fraction : rest_fraction);
+  RestWatch watch(stepping.rest.value_or(RestRule{}));
   Ending ending = Ending::at_end;
   double time = 0;
   while (run.steps() < last_step && run.advance(time)) {
     time = static_cast<double>(run.steps()) * run.step();
-    watch.see(time, run.grid_kinetic());
+    watch.see(time, run.grid_kinetic(), run.points());
     if (observer) observer({run.steps(), last_step, time, points});
     if (stepping.rest && time - watch.moving_until() >= stepping.rest->hold) {
       ending = Ending::at_rest;

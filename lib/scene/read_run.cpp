@@ -77,9 +77,10 @@ Vec2 read_initial_velocity(const TomlTable& table) {
 }
 
 static RestRule read_rest(const TomlTable& table, double end) {
-  table.check_keys({"fraction", "hold"});
+  table.check_keys({"energy_fraction", "strain_fraction", "hold"});
   RestRule rest;
-  rest.fraction = table.number_or("fraction", proper_fraction, rest.fraction);
+  rest.energy_fraction = table.number_or("energy_fraction", proper_fraction, rest.energy_fraction);
+  rest.strain_fraction = table.number_or("strain_fraction", proper_fraction, rest.strain_fraction);
   rest.hold = table.quantity_or("hold", "s", positive, rest.hold);
   if (rest.hold >= end)
     table.fail("hold", "wants less than the whole run of " + format_brief(end) + " s, found " + format_brief(rest.hold) + " s");

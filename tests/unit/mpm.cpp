@@ -585,10 +585,21 @@ TEST(Rest, EndsARunThatCameToRest) {
   Model model = block(0, 0, 6, 6, clay);
   model.boundaries.base_friction = 0.5;
   model.time.end = 30;
-  model.time.rest = RestRule{.fraction = 0.01, .hold = 1};
+  model.time.rest = RestRule{.energy_fraction = 0.01, .strain_fraction = 0.001, .hold = 1};
   const Outcome outcome = simulate(model);
   EXPECT_EQ(outcome.ending, Ending::at_rest);
   EXPECT_NEAR(outcome.time - outcome.rest_time, 1, 0.01);
+}
+
+TEST(Rest, WaitsForSoilThatStillYields) {
+  const auto end = [](double strain_fraction) {
+    Model model = block(0, 0, 6, 6, clay);
+    model.boundaries.base_friction = 0.5;
+    model.time.end = 30;
+    model.time.rest = RestRule{.energy_fraction = 0.5, .strain_fraction = strain_fraction, .hold = 0.2};
+    return simulate(model).time;
+  };
+  EXPECT_GT(end(0.001), 1.5 * end(0.9));
 }
 
 }  // namespace

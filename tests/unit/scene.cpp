@@ -117,7 +117,8 @@ TEST(Scene, ReadsEveryKey) {
   EXPECT_EQ(scene.initial_velocity.y, -0.1);
   EXPECT_EQ(scene.time.end, 60);
   EXPECT_EQ(scene.time.step_fraction, 0.4);
-  EXPECT_EQ(scene.time.rest.value().fraction, 0.003);
+  EXPECT_EQ(scene.time.rest.value().energy_fraction, 0.02);
+  EXPECT_EQ(scene.time.rest.value().strain_fraction, 0.003);
   EXPECT_EQ(scene.time.rest.value().hold, 3);
   ASSERT_EQ(scene.fields.size(), 1u);
   const FieldModel& field = scene.fields[0].model;
