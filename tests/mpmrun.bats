@@ -43,7 +43,7 @@ use_of() { mpmrun changed.toml --explain | awk -F'\t' -v part="$1" '$1 == part {
 
 @test "wrong command lines exit 64" {
   for options in "" "$scene --no-such-option" "$scene --sample 1" "$scene --points p.h5 --sample 0" "$scene --points p.h5 --sample 010" \
-    "$scene --every 1s" "$scene --frames f --every 0s" "$scene --frames f --every 1kg" "$scene extra"; do
+    "$scene --every 1s" "$scene --frames f --every 0s" "$scene --frames f --every 1kg" "$scene --threads 0" "$scene extra"; do
     # shellcheck disable=SC2086
     run --separate-stderr mpmrun $options
     assert_failure 64

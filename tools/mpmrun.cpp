@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -34,6 +35,7 @@ struct Options {
   std::string profile;
   std::string frames;
   std::string every = "1 s";
+  int threads = 1;
   bool explain = false;
 };
 
@@ -120,8 +122,9 @@ static void run(const Options& options) {
   const auto detailed = [&](const std::string& schema) {
     return run_provenance(schema, scene, points_checksum, sample ? std::optional(options.sample) : std::nullopt);
   };
+  Model model = model_of(scene, points, sample);
+  model.threads = options.threads;
   if (options.explain) {
-    const Model model = model_of(scene, points, sample);
     write_output(options.output, explanation(model, sample.has_value(), detailed("slidezone-explanation 1")));
     return;
   }
@@ -130,7 +133,7 @@ static void run(const Options& options) {
   if (!options.frames.empty()) frames.emplace(options.frames, frame_interval(options.every), points, state_provenance);
 
   Progress progress("mpmrun", is_quiet() ? Progress::Show::never : Progress::Show::on_terminal);
-  const Outcome outcome = simulate(model_of(scene, points, sample), [&](const Moment& moment) {
+  const Outcome outcome = simulate(std::move(model), [&](const Moment& moment) {
     progress.update(static_cast<double>(moment.step) / static_cast<double>(moment.last_step), format_brief(moment.time, 3) + " s");
     if (frames) frames->see(moment);
   });
@@ -166,6 +169,9 @@ int main(int argc, char** argv) {
   app.add_option("--profile", options.profile, "Ground surface before and after, as TSV");
   CLI::Option* frames = app.add_option("--frames", options.frames, "Folder for states during the run, VTKHDF with an index for ParaView");
   app.add_option("--every", options.every, "Time between frames, with its unit")->capture_default_str()->needs(frames);
+  app.add_option("--threads", options.threads, "Threads that share a run of 100,000 points or more; the result does not depend on it")
+      ->check(whole_number(1))
+      ->capture_default_str();
   app.add_flag("--explain", options.explain, "Print what this scene uses and what is left out, and why, as TSV; run nothing");
   return tool_main(app, "mpmrun pipelines/benchmark/scene.toml", argc, argv, [&] { run(options); });
 }

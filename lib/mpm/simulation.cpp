@@ -10,6 +10,7 @@
 #include "mpm/contact.hpp"
 #include "mpm/nodes.hpp"
 #include "mpm/nonlocal_softening.hpp"
+#include "mpm/strips.hpp"
 
 namespace slidezone {
 
@@ -45,12 +46,16 @@ HalfSize half_size(const Model& model) {
   return {0.5 * model.point_spacing_x / model.grid.cell_x, 0.5 * model.point_spacing_y / model.grid.cell_y};
 }
 
+/// Column, or row, of the first node that a point at `place` reaches.
+int first_node(double place, double cell, double half, int count) {
+  return static_cast<int>(std::clamp(place / cell - half + NodeStorage::padding, 0.0, count - 1.0));
+}
+
 /// Orders points by the first node that they reach, column by column; equal ones keep their order (counting sort).
 std::vector<int> order_by_node(const Points& points, const NodeStorage& storage, const GridShape& grid, HalfSize half) {
   const auto node_of = [&](std::size_t p) {
-    const double column = std::clamp(points.x[p] / grid.cell_x - half.x + NodeStorage::padding, 0.0, storage.columns - 1.0);
-    const double row = std::clamp(points.y[p] / grid.cell_y - half.y + NodeStorage::padding, 0.0, storage.rows - 1.0);
-    return storage.index(static_cast<int>(column), static_cast<int>(row));
+    return storage.index(first_node(points.x[p], grid.cell_x, half.x, storage.columns),
+                         first_node(points.y[p], grid.cell_y, half.y, storage.rows));
   };
   std::vector<int> place(storage.count() + 1, 0);
   for (std::size_t p = 0; p < points.count(); ++p) ++place[node_of(p) + 1];
@@ -64,12 +69,6 @@ std::vector<int> order_by_label(const Points& points) {
   std::vector<int> order(points.count());
   for (std::size_t p = 0; p < points.count(); ++p) order[static_cast<std::size_t>(points.label[p])] = static_cast<int>(p);
   return order;
-}
-
-/// The box with one more node on every side, within the storage: a stable step moves no point by a whole cell.
-NodeBox grown(const NodeBox& box, const NodeStorage& storage) {
-  return {std::max(0, box.first_column - 1), std::min(storage.columns - 1, box.last_column + 1), std::max(0, box.first_row - 1),
-          std::min(storage.rows - 1, box.last_row + 1)};
 }
 
 /// Storage of what averaging over cells needs.
@@ -161,6 +160,7 @@ class Run {
         nodes_(NodeStorage(model_.grid)),
         step_(time_step(model_)),
         sweeps_(slidezone::sweeps(kernel.set, kernel.traits)),
+        strips_(model_.threads),
         kinetic_at_start_(kinetic_energy(points_)) {
     audit_.least_work = std::max(kinetic_at_start_, work_of_a_small_fall(points_, model_));
     for (const Material& soil : materials(model_)) soils_.push_back(soil_constants(soil));
@@ -177,7 +177,7 @@ class Run {
 
   /// One step; false ends the run.
   bool advance(double time) {
-    if (steps_ % sort_interval == 0) points_ = reordered(points_, order_by_node(points_, nodes_.storage, model_.grid, half_size(model_)));
+    if (steps_ % sort_interval == 0 || strips_.need_division()) sort_points();
     if (nonlocal_ && steps_ % average_interval_ == 0) nonlocal_->update(points_, points_.softening_strain);
     box_ = grown(box_, nodes_.storage);
     clear_sums(nodes_, box_);
@@ -224,14 +224,21 @@ class Run {
  private:
   // ---- parts of a step ----
 
+  void sort_points() {
+    const HalfSize half = half_size(model_);
+    points_ = reordered(points_, order_by_node(points_, nodes_.storage, model_.grid, half));
+    strips_.divide(points_.count(), box_,
+                   [&](std::size_t p) { return first_node(points_.x[p], model_.grid.cell_x, half.x, nodes_.storage.columns); });
+  }
+
   /// MUSL and USL: stress by the last node velocities, move, then everything to the nodes.
   SweepReport stress_last() {
     SweepReport report;
     if (dilation_) {
       report = update_with_mean_dilation();
-      sweeps_.map_with_mean_stress(data());
+      strips_.stay(sweeps_.map_with_mean_stress, data());
     } else {
-      report = sweeps_.update_and_map(data());
+      report = strips_.move(sweeps_.update_and_map, data());
     }
     fold_mass(nodes_, report.box, settings_);
     return report;
@@ -239,28 +246,28 @@ class Run {
 
   SweepReport update_with_mean_dilation() {
     dilation_->clear_sums();
-    sweeps_.gather_dilation(data());
-    return sweeps_.update_with_mean_dilation(data());
+    strips_.stay(sweeps_.gather_dilation, data());
+    return strips_.move(sweeps_.update_with_mean_dilation, data());
   }
 
   /// USF: move, momentum to the nodes, stress by their velocities, then force to the nodes.
   SweepReport stress_first() {
-    const SweepReport moved = sweeps_.move_and_map_momentum(data());
+    const SweepReport moved = strips_.move(sweeps_.move_and_map_momentum, data());
     if (moved.is_broken) return moved;
     fold_mass(nodes_, moved.box, settings_);
     copy_velocities(nodes_, moved.box);
     update_new_velocities(nodes_, moved.box, settings_);
-    return sweeps_.update_and_map_force(data());
+    return strips_.stay(sweeps_.update_and_map_force, data());
   }
 
   /// Points follow the nodes, and the nodes get the velocities that the next strain is made of.
   void follow_nodes() {
     if (model_.method.update_order == UpdateOrder::musl) {
       clear_new_sums(nodes_, box_);
-      audit_.damping_work += sweeps_.gather_and_map(data());
+      audit_.damping_work += strips_.stay(sweeps_.gather_and_map, data());
       update_new_velocities(nodes_, box_, settings_);
     } else {
-      audit_.damping_work += sweeps_.gather(data());
+      audit_.damping_work += strips_.stay(sweeps_.gather, data());
       copy_velocities(nodes_, box_);
     }
   }
@@ -269,11 +276,11 @@ class Run {
   void complete() {
     box_ = grown(box_, nodes_.storage);
     if (model_.method.update_order == UpdateOrder::usf)
-      sweeps_.move_and_map_momentum(data());
+      strips_.move(sweeps_.move_and_map_momentum, data());
     else if (dilation_)
       audit_.internal_work += update_with_mean_dilation().internal_work;
     else
-      audit_.internal_work += sweeps_.update(data()).internal_work;
+      audit_.internal_work += strips_.move(sweeps_.update, data()).internal_work;
   }
 
   ContactNormals contact() const {
@@ -352,6 +359,7 @@ class Run {
   Nodes nodes_;
   double step_;
   Sweeps sweeps_;
+  Strips strips_;
   double kinetic_at_start_;
   std::vector<SoilConstants> soils_;
   NodeSettings settings_;

@@ -39,6 +39,7 @@ struct Model {
   TimeStepping time;
   Scheme method;
   std::optional<NonlocalSoftening> nonlocal_softening;
+  int threads = 1;                 // that share a run of Strips::least_points or more; the result is the same for any number
   bool refuses_long_steps = true;  // beyond step_limit; tests that look for the true limit say false
 };
 

@@ -5,6 +5,7 @@
 
 #include "core/text.hpp"
 #include "io/table.hpp"
+#include "mpm/strips.hpp"
 
 namespace slidezone {
 
@@ -65,6 +66,8 @@ std::string explanation(const Model& model, bool has_sample, const Provenance& p
   part("time step", format_brief(step, 6) + " s", format_brief(step / step_limit(model), 3) + " of the stability limit");
   part("steps", format_brief(steps, 15),
        std::string("at most; ") + (model.time.rest ? "the rest rule may end the run before" : "there is no rest rule"));
+  part("threads", model.points.count() < Strips::least_points ? "1" : std::to_string(model.threads),
+       model.points.count() < Strips::least_points ? "fewer than " + std::to_string(Strips::least_points) + " points" : "as asked for");
   part("instruction set", name_of(kernel.set), "the best that this processor has");
   part("update order", name_of(model.method.update_order),
        model.method.update_order == UpdateOrder::musl ? "momentum is mapped twice a step" : "without MUSL's second map");

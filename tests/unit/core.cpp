@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <limits>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "core/provenance.hpp"
 #include "core/round_step.hpp"
 #include "core/text.hpp"
+#include "core/workers.hpp"
 
 namespace slidezone {
 namespace {
@@ -57,6 +59,19 @@ TEST(Location, NamesWhatIsKnown) {
 TEST(Checksum, IsXxh3) {
   // `printf '' | xxhsum -H3` prints XXH3_2d06800538d394c2.
   EXPECT_EQ(checksum(""), "2d06800538d394c2");
+}
+
+// ---- workers ----
+
+TEST(Workers, DoEachTaskOnce) {
+  for (const int threads : {1, 2, 7}) {
+    Workers workers(threads);
+    for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{1000}}) {
+      std::vector<std::atomic<int>> times(count);
+      workers.each(count, [&](std::size_t number) { ++times[number]; });
+      for (const auto& done : times) EXPECT_EQ(done, 1);
+    }
+  }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "mpm/nonlocal_softening.hpp"
 #include "mpm/simulation.hpp"
+#include "mpm/strips.hpp"
 
 namespace slidezone {
 namespace {
@@ -282,6 +283,71 @@ TEST(Simulate, LeavingOutWhatNoSoilNeedsChangesNoBit) {
             EXPECT_EQ(full.plastic_strain, lean.plastic_strain) << which;
           }
     }
+}
+
+/// A column of clay of 100,800 points that collapses, thrown to the right so that points change strips.
+Model large_block(int threads) {
+  Model model = block(0, 0, 200, 126, clay);
+  model.grid = {0.2, 0.2, 400, 140};
+  model.boundaries.base_friction = 0.3;
+  throw_all(model, 10, 0);
+  model.time.end = 0.4;
+  model.threads = threads;
+  return model;
+}
+
+TEST(Simulate, GivesEqualBitsForAnyNumberOfThreads) {
+  ASSERT_GE(large_block(1).points.count(), Strips::least_points);
+  for (const AntiLocking anti_locking : {AntiLocking::none, AntiLocking::b_bar}) {
+    const auto outcome = [&](int threads) {
+      Model model = large_block(threads);
+      model.method.anti_locking = anti_locking;
+      return simulate(model);
+    };
+    const Outcome alone = outcome(1);
+    EXPECT_GT(alone.points.x.back() - large_block(1).points.x.back(), 16 * 0.2);  // beyond two strips
+    EXPECT_LT(std::abs(alone.energy.error()), 0.01);
+    for (const int threads : {2, 5}) {
+      const Outcome shared = outcome(threads);
+      EXPECT_EQ(shared.points.x, alone.points.x) << threads;
+      EXPECT_EQ(shared.points.xy, alone.points.xy) << threads;
+      EXPECT_EQ(shared.energy.internal_work, alone.energy.internal_work) << threads;
+    }
+  }
+}
+
+TEST(Simulate, StripsChangeNothingButTheOrderOfSums) {
+  // Half of the large block in height is below the limit: the same block twice, far apart, is above it and is divided.
+  Model single = block(2, 0, 100, 126, clay);
+  single.grid = {0.2, 0.2, 400, 140};
+  single.time.end = 0.1;
+  Model twin = block(2, 0, 100, 126, clay);
+  const Model second = block(42, 0, 100, 126, clay);
+  for (std::size_t p = 0; p < second.points.count(); ++p) {
+    twin.points.x.push_back(second.points.x[p]);
+    twin.points.y.push_back(second.points.y[p]);
+  }
+  Points all = points_at_rest(twin.points.x.size());
+  all.x = twin.points.x;
+  all.y = twin.points.y;
+  std::fill(all.volume.begin(), all.volume.end(), 0.01);
+  std::fill(all.mass.begin(), all.mass.end(), 0.01 * clay.density);
+  std::fill(all.peak_cohesion.begin(), all.peak_cohesion.end(), clay.peak_cohesion);
+  twin.points = all;
+  twin.grid = single.grid;
+  twin.time = single.time;
+  ASSERT_LT(single.points.count(), Strips::least_points);
+  ASSERT_GE(twin.points.count(), Strips::least_points);
+  const Points expected = simulate(single).points;
+  const Points found = simulate(twin).points;
+  double worst = 0;
+  double movement = 0;
+  for (std::size_t p = 0; p < expected.count(); ++p) {
+    worst = std::max({worst, std::abs(found.x[p] - expected.x[p]), std::abs(found.y[p] - expected.y[p])});
+    movement = std::max(movement, std::abs(expected.y[p] - single.points.y[p]));
+  }
+  EXPECT_GT(movement, 1e-3);
+  EXPECT_LT(worst, 1e-11);
 }
 
 TEST(Simulate, TakesTheLeanestKernel) {
