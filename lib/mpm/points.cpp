@@ -1,6 +1,7 @@
 #include "mpm/points.hpp"
 
 #include <numeric>
+#include <utility>
 
 namespace slidezone {
 
@@ -18,15 +19,15 @@ Points points_at_rest(std::size_t count) {
 }
 
 template <class Value>
-static std::vector<Value> picked(const std::vector<Value>& values, const std::vector<int>& order) {
-  if (values.empty()) return {};
+static void pick(std::vector<Value>& values, const std::vector<int>& order) {
+  if (values.empty()) return;
   std::vector<Value> result;
   result.reserve(values.size());
   for (const int from : order) result.push_back(values[static_cast<std::size_t>(from)]);
-  return result;
+  values = std::move(result);
 }
 
-static std::vector<double> picked_pairs(const std::vector<double>& pairs, const std::vector<int>& order) {
+static void pick_pairs(std::vector<double>& pairs, const std::vector<int>& order) {
   std::vector<double> result;
   result.reserve(pairs.size());
   for (const int from : order) {
@@ -34,25 +35,15 @@ static std::vector<double> picked_pairs(const std::vector<double>& pairs, const 
     result.push_back(pairs[first]);
     result.push_back(pairs[first + 1]);
   }
-  return result;
+  pairs = std::move(result);
 }
 
-Points reordered(const Points& points, const std::vector<int>& order) {
-  return {.x = picked(points.x, order),
-          .y = picked(points.y, order),
-          .velocity = picked_pairs(points.velocity, order),
-          .movement = picked_pairs(points.movement, order),
-          .xx = picked(points.xx, order),
-          .yy = picked(points.yy, order),
-          .zz = picked(points.zz, order),
-          .xy = picked(points.xy, order),
-          .mass = picked(points.mass, order),
-          .volume = picked(points.volume, order),
-          .plastic_strain = picked(points.plastic_strain, order),
-          .softening_strain = picked(points.softening_strain, order),
-          .peak_cohesion = picked(points.peak_cohesion, order),
-          .soil = picked(points.soil, order),
-          .label = picked(points.label, order)};
+void reorder(Points& points, const std::vector<int>& order) {
+  for (auto* values : {&points.x, &points.y, &points.xx, &points.yy, &points.zz, &points.xy, &points.mass, &points.volume,
+                       &points.plastic_strain, &points.softening_strain, &points.peak_cohesion})
+    pick(*values, order);
+  for (auto* pairs : {&points.velocity, &points.movement}) pick_pairs(*pairs, order);
+  for (auto* values : {&points.soil, &points.label}) pick(*values, order);
 }
 
 }  // namespace slidezone

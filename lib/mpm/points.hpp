@@ -24,7 +24,8 @@ struct Points {
 /// `count` points with everything zero and labels 0, 1, ...
 Points points_at_rest(std::size_t count);
 
-/// Points in the order of `order`: point k of the result is point order[k].
-Points reordered(const Points& points, const std::vector<int>& order);
+/// Puts points into the order of `order`: point k becomes what point order[k] was. One array at a time, so that a large run
+/// needs little memory beside its points.
+void reorder(Points& points, const std::vector<int>& order);
 
 }  // namespace slidezone

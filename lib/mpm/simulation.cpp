@@ -205,7 +205,8 @@ class Run {
   Points completed_points() const {
     Run copy = *this;
     copy.complete();
-    return reordered(copy.points_, order_by_label(copy.points_));
+    reorder(copy.points_, order_by_label(copy.points_));
+    return std::move(copy.points_);
   }
 
   Outcome finish(Ending ending, double time) {
@@ -217,7 +218,8 @@ class Run {
     outcome.time = time;
     outcome.energy = audit_;
     outcome.trouble = trouble_;
-    outcome.points = reordered(points_, order_by_label(points_));
+    reorder(points_, order_by_label(points_));
+    outcome.points = std::move(points_);
     return outcome;
   }
 
@@ -226,7 +228,7 @@ class Run {
 
   void sort_points() {
     const HalfSize half = half_size(model_);
-    points_ = reordered(points_, order_by_node(points_, nodes_.storage, model_.grid, half));
+    reorder(points_, order_by_node(points_, nodes_.storage, model_.grid, half));
     strips_.divide(points_.count(), box_,
                    [&](std::size_t p) { return first_node(points_.x[p], model_.grid.cell_x, half.x, nodes_.storage.columns); });
   }
