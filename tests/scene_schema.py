@@ -520,7 +520,8 @@ def parsed(text):
 
 def check_agree():
     layers = SCENES["layers"]
-    texts = [*variants(layers, []), *variants(SCENES["cut"], layers.split("\n"))]
+    cut = SCENES["cut"]
+    texts = [*variants(layers, []), *variants(cut, layers.split("\n")), *variants(SCENES["varied"], [*layers.split("\n"), *cut.split("\n")])]
     scenes = [(text, scene) for text in texts if (scene := parsed(text)) is not None]
     refused = 0
     for (text, scene), answer in zip(scenes, answers([text for text, _ in scenes])):
