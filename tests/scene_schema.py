@@ -165,6 +165,7 @@ BAD = [
     ("layers", 'hold = "3 s"', '@hld = "3 s"', "unknown key 'hld' in [time.rest]; did you mean 'hold'?"),
     ("layers", "energy_fraction = 0.02", "energy_fraction = @0", "'energy_fraction' wants a number above 0 and below 1, found 0"),
     ("layers", "energy_fraction = 0.02", "energy_fraction = @1", "'energy_fraction' wants a number above 0 and below 1, found 1"),
+    ("layers", "energy_fraction = 0.02", 'energy_fraction = @"2 %"', "'energy_fraction' wants a number without unit, found \"2 %\""),
     ("layers", "strain_fraction = 0.003", "strain_fraction = @0", "'strain_fraction' wants a number above 0 and below 1, found 0"),
     ("layers", "strain_fraction = 0.003", "strain_fraction = @1", "'strain_fraction' wants a number above 0 and below 1, found 1"),
     ("layers", "strain_fraction = 0.003", 'strain_fraction = @"1 %"', "'strain_fraction' wants a number without unit, found \"1 %\""),
