@@ -197,6 +197,7 @@ refuses() {
   mcstats random.tsv deterministic.tsv >statistics
   assert_equal "$(value runs total <statistics)" 100
   assert_equal "$(value influence_m exceeds_deterministic <statistics)" 0.7
+  assert_equal "$(value influence_m reaches_deterministic <statistics)" 0.71
   assert_equal "$(value runout_m exceeds_deterministic <statistics)" 0.1
 }
 

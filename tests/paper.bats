@@ -70,6 +70,7 @@ judged() {
   assert_equal "$(judged 2 2.1 2.5 mean .)" differs
   assert_equal "$(judged 2 1.5 unbounded mean .)" "no interval"
   assert_equal "$(judged 2 nan nan mean .)" "no interval"
+  assert_equal "$(judged 2 2.5 unbounded mean .)" differs
   assert_equal "$(judged 2 0.1 1.5 mean_difference b)" "trend agrees"
   assert_equal "$(judged 2 -0.1 1.5 mean_difference b)" differs
   assert_equal "$(judged grows 0.1 1.5 mean_difference b)" "trend agrees"

@@ -50,8 +50,9 @@ interval that does not exist is nan; an end that the sample cannot give is "unbo
               the latter two with the kurtosis
   bootstrap_mean bootstrap_variance bootstrap_sd
               the same values with BCa bootstrap intervals
-  deterministic, exceeds_deterministic
-              the reach of realization 0 and P(reach > that), where the rows hold it; realization 0 enters nothing else
+  deterministic, exceeds_deterministic, reaches_deterministic
+              the reach of realization 0, P(reach > that) and P(reach >= that), where the rows hold it; the two differ for the influence
+              distance, which moves in whole columns of cells. Realization 0 enters nothing else
   mean_of_slides sd_of_slides, FAMILY_*
               given failure: of the runs that slid and stayed in the grid. FAMILY is normal, lognormal, gamma, weibull or gev:
               parameters; chi_square with its bins, degrees of freedom and p; anderson_darling and lilliefors with p (simulated);
@@ -67,8 +68,8 @@ With --against OTHER, instead, of the realizations that both studies know exactl
               where both scenes have the same seed and mesh of fields, for then their fields come from the same random numbers
 Rules: mean=W, sd=W, quantile_P=W (half of the 95 % interval is at most W m), exceeds_X=W (likewise of P(reach > X m), W a probability),
        for both quantities or for one ("runout_m:mean=0.1"); not met before --least-runs. The interval of sd=W is for a kurtosis two
-       standard errors above the sample's: where a study ended by it, quote that of half_width, not that of sd. paper: mean and variance change by less
-       than 1e-3 by one more run, which is nearly a matter of the number of runs alone.
+       standard errors above the sample's: where a study ended by it, quote that of half_width, not that of sd. paper: mean and
+       variance change by less than 1e-3 by one more run, which is nearly a matter of the number of runs alone.
        Look again only at next_look runs: who looks after each run and stops at the first good one gets intervals that cover less
        than 95 %.
 Designs: of rows drawn in antithetic pairs or Latin hypercubes (column design) the intervals of mean, sd and bootstrap count pairs or

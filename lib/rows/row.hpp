@@ -11,9 +11,9 @@
 // stands twice is an error even where both rows are equal: a table given twice would otherwise narrow every interval.
 //
 // Throws Error(ExitCode::data) with file:line for unknown or missing columns, an unknown status, a number that is missing
-// or not finite, numbers that stand twice, and realizations of two designs. A study's rows (read_rows) are refused besides where they hold no
-// two random realizations, and where every slide of them runs equally far to the last digit: no two random fields do that, so runs were
-// copied, or the field does not vary. The influence distance may: it moves in whole columns of cells. So may stable slopes.
+// or not finite, numbers that stand twice, and realizations of two designs. A study's rows (read_rows) are refused besides where they
+// hold no two random realizations, and where every slide of them runs equally far to the last digit: no two random fields do that, so runs
+// were copied, or the field does not vary. The influence distance may: it moves in whole columns of cells. So may stable slopes.
 #pragma once
 
 #include <cstdint>

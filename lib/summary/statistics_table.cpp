@@ -96,7 +96,9 @@ static void add_quantiles(Statistics& statistics, const Reach& reach) {
 static void add_deterministic(Statistics& statistics, const Reach& reach) {
   if (!reach.deterministic) return;
   statistics.add(reach.quantity, "deterministic", *reach.deterministic, 1);
+  const double next_below = std::nextafter(*reach.deterministic, -infinity);
   statistics.add(reach.quantity, "exceeds_deterministic", exceedance_estimate(reach.sample, *reach.deterministic), reach.sample.size());
+  statistics.add(reach.quantity, "reaches_deterministic", exceedance_estimate(reach.sample, next_below), reach.sample.size());
 }
 
 // ---- fits ----

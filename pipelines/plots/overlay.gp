@@ -35,8 +35,10 @@ worst(quantity) = strcol("study") eq "worst_case" && strcol("quantity") eq quant
 stats classes using (worst("influence_m")) nooutput; crest_end = STATS_max
 stats classes using (worst("runout_m")) nooutput; toe_end = STATS_max
 crest_reach = crest_end; toe_reach = toe_end
-stats structures using (strcol("side") eq "crest" ? column("distance_m") : 0) nooutput; crest_end = STATS_max > crest_end ? STATS_max : crest_end
-stats structures using (strcol("side") eq "toe" ? column("distance_m") : 0) nooutput; toe_end = STATS_max > toe_end ? STATS_max : toe_end
+stats structures using (strcol("side") eq "crest" ? column("distance_m") : 0) nooutput
+crest_end = STATS_max > crest_end ? STATS_max : crest_end
+stats structures using (strcol("side") eq "toe" ? column("distance_m") : 0) nooutput
+toe_end = STATS_max > toe_end ? STATS_max : toe_end
 left = crest - crest_end > 2 ? crest - crest_end - 2 : 0
 right = toe + toe_end + 4
 
@@ -56,7 +58,8 @@ set rmargin at screen 0.98
 set style fill solid noborder
 
 do for [format in "png svg"] {
-  if (format eq "png") { set terminal pngcairo noenhanced size 1500,1000 font "sans,14" } else { set terminal svg noenhanced size 1500,1000 font "sans,14" }
+  if (format eq "png") { set terminal pngcairo noenhanced size 1500,1000 font "sans,14" } else {
+    set terminal svg noenhanced size 1500,1000 font "sans,14" }
   set output picture.".".format
   set multiplot
 
@@ -73,11 +76,14 @@ do for [format in "png svg"] {
   set key at screen 0.53, 0.995 center top maxrows 4 Left reverse samplen 3 font ",12"
   plot NaN with boxes fc rgb very_high title "very high: above 50 %", NaN with boxes fc rgb high title "high: above 10 %", \
     NaN with boxes fc rgb medium title "medium: above 1 %", NaN with boxes fc rgb low title "low: above 0.1 %", \
-    classes using (start("influence_m", crest)):(floor):(near):(from):(floor):(1):(color(strcol("class"))) with boxxyerror fc rgb variable fs transparent solid 0.35 notitle, \
-    classes using (start("runout_m", toe)):(floor):(near):(from):(floor):(1):(color(strcol("class"))) with boxxyerror fc rgb variable fs transparent solid 0.35 notitle, \
+    classes using (start("influence_m", crest)):(floor):(near):(from):(floor):(1):(color(strcol("class"))) \
+      with boxxyerror fc rgb variable fs transparent solid 0.35 notitle, \
+    classes using (start("runout_m", toe)):(floor):(near):(from):(floor):(1):(color(strcol("class"))) \
+      with boxxyerror fc rgb variable fs transparent solid 0.35 notitle, \
     for [q in "influence_m runout_m"] curves using (place(q, column("distance_m"))):(of("worst_case", q, column("probability"))) \
       with lines lw 9 lc rgb "#aaaaaa" title (q eq "runout_m" ? "worst case of all" : ""), \
-    for [i = 1:studies] for [q in "influence_m runout_m"] curves using (place(q, column("distance_m"))):(of(word(names, i), q, column("probability"))) \
+    for [i = 1:studies] for [q in "influence_m runout_m"] curves \
+      using (place(q, column("distance_m"))):(of(word(names, i), q, column("probability"))) \
       with lines lw 3 dt i lc rgb colour(i) title (q eq "runout_m" ? word(names, i) : "")
   unset logscale
   unset grid
@@ -97,10 +103,14 @@ do for [format in "png svg"] {
   plot surface using "x_m":"initial_m" with filledcurves y1=0 fc rgb "#e3dccb", \
     surface using "x_m":"initial_m" with lines lc rgb "#5b4a2f" lw 2, \
     0 with lines lc rgb "#5b4a2f" lw 2, \
-    classes using (start("influence_m", crest)):(0):(near):(from):(-0.3 * top):(-0.06 * top):(color(strcol("class"))) with boxxyerror fc rgb variable, \
-    classes using (start("runout_m", toe)):(0):(near):(from):(-0.3 * top):(-0.06 * top):(color(strcol("class"))) with boxxyerror fc rgb variable, \
-    "+" every ::0::0 using (0):(0):(left):(crest - crest_reach):(-0.3 * top):(-0.06 * top) with boxxyerror fc rgb very_low, \
-    "+" every ::0::0 using (0):(0):(toe + toe_reach):(right):(-0.3 * top):(-0.06 * top) with boxxyerror fc rgb very_low, \
+    classes using (start("influence_m", crest)):(0):(near):(from):(-0.3 * top):(-0.06 * top):(color(strcol("class"))) \
+      with boxxyerror fc rgb variable, \
+    classes using (start("runout_m", toe)):(0):(near):(from):(-0.3 * top):(-0.06 * top):(color(strcol("class"))) \
+      with boxxyerror fc rgb variable, \
+    "+" every ::0::0 using (0):(0):(left):(crest - crest_reach):(-0.3 * top):(-0.06 * top) \
+      with boxxyerror fc rgb very_low, \
+    "+" every ::0::0 using (0):(0):(toe + toe_reach):(right):(-0.3 * top):(-0.06 * top) \
+      with boxxyerror fc rgb very_low, \
     structures using (is_worst(@x)):(ground(strcol("side"))):(0):(0.3 * top) with vectors nohead lw 2 lc rgb "black", \
     structures using (is_worst(@x)):(ground(strcol("side")) + 0.3 * top) with points pt 5 ps 2.4 lc rgb "black", \
     structures using (is_worst(@x)):(ground(strcol("side")) + 0.3 * top):(color(strcol("class"))) with points pt 5 ps 1.8 lc rgb variable, \

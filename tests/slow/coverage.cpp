@@ -10,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <ostream>
 #include <span>
 #include <string>
 #include <vector>
@@ -101,6 +102,9 @@ struct Case {
   std::size_t law;
   const char* rule;
 };
+
+/// As the test is called in reports.
+void PrintTo(const Case& tested, std::ostream* stream) { *stream << laws[tested.law].name << " " << tested.rule; }
 
 class Stopped : public testing::TestWithParam<Case> {};
 
