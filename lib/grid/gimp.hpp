@@ -11,6 +11,12 @@
 
 namespace slidezone {
 
+/// Size of a point's domain, in cells, halved.
+struct HalfSize {
+  double x;
+  double y;
+};
+
 /// The three numbers that give one axis' weights.
 struct AxisWeights {
   double s = 0;

@@ -10,17 +10,12 @@
 #include <span>
 #include <vector>
 
+#include "grid/gimp.hpp"
 #include "grid/node_storage.hpp"
 #include "mpm/nodes.hpp"
 #include "mpm/points.hpp"
 
 namespace slidezone {
-
-/// Size of a point's domain, in cells, halved.
-struct HalfSize {
-  double x;
-  double y;
-};
 
 /// Normals at the nodes of the base, from the points in their present positions.
 ContactNormals contact_normals(const Points& points, const GridShape& grid, HalfSize half_size, double base_density);

@@ -10,6 +10,8 @@
 #include "mpm/contact.hpp"
 #include "mpm/nodes.hpp"
 #include "mpm/nonlocal_softening.hpp"
+#include "mpm/point_order.hpp"
+#include "mpm/rest_watch.hpp"
 #include "mpm/strips.hpp"
 
 namespace slidezone {
@@ -46,31 +48,6 @@ HalfSize half_size(const Model& model) {
   return {0.5 * model.point_spacing_x / model.grid.cell_x, 0.5 * model.point_spacing_y / model.grid.cell_y};
 }
 
-/// Column, or row, of the first node that a point at `place` reaches.
-int first_node(double place, double cell, double half, int count) {
-  return static_cast<int>(std::clamp(place / cell - half + NodeStorage::padding, 0.0, count - 1.0));
-}
-
-/// Orders points by the first node that they reach, column by column; equal ones keep their order (counting sort).
-std::vector<int> order_by_node(const Points& points, const NodeStorage& storage, const GridShape& grid, HalfSize half) {
-  const auto node_of = [&](std::size_t p) {
-    return storage.index(first_node(points.x[p], grid.cell_x, half.x, storage.columns),
-                         first_node(points.y[p], grid.cell_y, half.y, storage.rows));
-  };
-  std::vector<int> place(storage.count() + 1, 0);
-  for (std::size_t p = 0; p < points.count(); ++p) ++place[node_of(p) + 1];
-  for (std::size_t node = 1; node < place.size(); ++node) place[node] += place[node - 1];
-  std::vector<int> order(points.count());
-  for (std::size_t p = 0; p < points.count(); ++p) order[static_cast<std::size_t>(place[node_of(p)]++)] = static_cast<int>(p);
-  return order;
-}
-
-std::vector<int> order_by_label(const Points& points) {
-  std::vector<int> order(points.count());
-  for (std::size_t p = 0; p < points.count(); ++p) order[static_cast<std::size_t>(points.label[p])] = static_cast<int>(p);
-  return order;
-}
-
 /// Storage of what averaging over cells needs.
 struct DilationStorage {
   std::vector<double> xx, xy, yx, yy;
@@ -96,39 +73,6 @@ struct DilationStorage {
   void clear_sums() {
     for (auto* sums : {&cell_volume, &cell_dilation, &cell_now_volume, &cell_pressure}) std::fill(sums->begin(), sums->end(), 0.0);
   }
-};
-
-/// Plastic strain of all points by their mass, kg/m.
-double plastic_strain_by_mass(const Points& points) {
-  return std::inner_product(points.mass.begin(), points.mass.end(), points.plastic_strain.begin(), 0.0);
-}
-
-/// When the slope last moved or strained by more than the rule's fractions of the peaks. Strain is looked at ten times in the
-/// time that the rule holds.
-class RestWatch {
- public:
-  explicit RestWatch(RestRule rule) : rule_(rule) {}
-
-  void see(double time, double kinetic, const Points& points) {
-    most_kinetic_ = std::max(most_kinetic_, kinetic);
-    if (kinetic > rule_.energy_fraction * most_kinetic_) moving_until_ = time;
-    if (time < next_look_) return;
-    next_look_ = time + 0.1 * rule_.hold;
-    const double strain = plastic_strain_by_mass(points);
-    const double growth = strain - strain_;
-    strain_ = strain;
-    most_growth_ = std::max(most_growth_, growth);
-    if (growth > rule_.strain_fraction * most_growth_) moving_until_ = time;
-  }
-  double moving_until() const { return moving_until_; }
-
- private:
-  RestRule rule_;
-  double most_kinetic_ = 0;
-  double most_growth_ = 0;  // of strain, from look to look
-  double strain_ = 0;
-  double next_look_ = 0;  // s
-  double moving_until_ = 0;
 };
 
 /// Names what is wrong with the points: the first one that is outside the grid, or has lost its volume or its numbers.

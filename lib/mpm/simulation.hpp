@@ -5,9 +5,7 @@
 // error; it is the guard that sees an unstable step while all numbers still look plausible. It is measured by the work of
 // gravity or, where the soil hardly sinks, by what it started with: its kinetic energy, and the work that gravity would do on
 // it over a thousandth of its height.
-// Rest: kinetic energy on the grid (that of the points never vanishes: part of it is null-space noise of the
-// interpolation) and growth of plastic strain, by mass, below fractions of their peaks. Neither does alone: soil that creeps
-// towards a failure hardly moves, and what slides on a base need not yield.
+// Rest: see rest_watch.hpp.
 // Ends: `diverged` names point, step and time; a point outside the grid ends the run as `left_domain`.
 #pragma once
 

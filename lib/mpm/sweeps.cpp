@@ -2,8 +2,9 @@
 #include "mpm/sweeps.hpp"
 
 #include "mpm/block_dilation.hpp"
+#include "mpm/block_gather.hpp"
+#include "mpm/block_map.hpp"
 #include "mpm/block_stress.hpp"
-#include "mpm/block_transfer.hpp"
 #include "mpm/block_weights.hpp"
 
 namespace slidezone {
@@ -121,13 +122,19 @@ SweepReport update_and_map_force(const SweepData& data) {
 
 // ---- sweep B ------------------------------------------------------------------------------------------------------------
 
+enum class SecondMap { yes, no };
+
 template <SecondMap second_map>
 double gather(const SweepData& data) {
   double damped = 0;
   for_each_block(data, [&](auto block) {
     BlockWeights weights;
+    FromNodes from_nodes[block_size];
+    BlockPairs momentum;
     weigh(data, block, weights);
-    damped += gather_block<second_map>(data, block, weights);
+    gather_velocities(data, block, weights, from_nodes);
+    damped += update_velocities(data, block, from_nodes, momentum);
+    if constexpr (second_map == SecondMap::yes) map_momentum(data, block, weights, momentum);
   });
   return damped;
 }
