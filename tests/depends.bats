@@ -72,3 +72,12 @@ setup() {
   check "$tree"
   assert_failure 1
 }
+
+@test "code for one instruction set shares no function with that for another" {
+  # A function that two of them define would be linked once, perhaps the one that this processor cannot run.
+  mapfile -t objects < <(find "$SLIDEZONE_BUILD" -path '*sweeps_*' -name '*.o')
+  assert_equal "${#objects[@]}" 3
+  run nm --defined-only "${objects[@]}"
+  assert_success
+  refute_line --regexp ' [WVu] '
+}
