@@ -42,12 +42,22 @@ void join(SweepReport& report, const StressUpdate& update) {
 
 enum class Map { yes, no };
 
+/// Asks for the numbers of the block after this one: there are more arrays than the processor would fetch ahead by itself.
+template <class... Arrays>
+[[gnu::always_inline]] inline void fetch_next(auto block, Arrays... arrays) {
+  constexpr int line = 64 / sizeof(double);
+  for (int k = 0; k < block_size; k += line) (__builtin_prefetch(arrays + block.first + block_size + k), ...);
+}
+
 template <SoilTraits traits, Map map>
 SweepReport update_and_map(const SweepData& data) {
   SweepReport report = empty_report(data);
   for_each_block(data, [&](auto block) {
     BlockWeights weights;
     BlockGradients gradients;
+    fetch_next(block, data.x, data.y, data.xx, data.yy, data.zz, data.xy, data.volume, data.plastic_strain, data.mass, data.peak_cohesion,
+               data.movement + block.first, data.movement + block.first + block_size, data.velocity + block.first,
+               data.velocity + block.first + block_size);
     weigh(data, block, weights);
     gather_gradients(data, block, weights, gradients);
     join(report, update_stress<traits>(data, block, gradients));
@@ -131,6 +141,8 @@ double gather(const SweepData& data) {
     BlockWeights weights;
     FromNodes from_nodes[block_size];
     BlockPairs momentum;
+    fetch_next(block, data.x, data.y, data.mass, data.velocity + block.first, data.velocity + block.first + block_size,
+               data.movement + block.first, data.movement + block.first + block_size);
     weigh(data, block, weights);
     gather_velocities(data, block, weights, from_nodes);
     damped += update_velocities(data, block, from_nodes, momentum);
