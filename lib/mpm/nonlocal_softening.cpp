@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/vector_loop.hpp"
+
 namespace slidezone {
 
 /// Gaussian weights of distances 0, 1, ... spacings, up to three standard deviations.
@@ -43,29 +45,28 @@ NonlocalAverage::NonlocalAverage(const Points& points, const std::vector<Materia
   }
 }
 
-/// Adds weight times the values at a distance of `shift` places, both ways, within lines of `length` places.
-static void add_shifted(std::vector<double>& to, const std::vector<double>& from, std::size_t shift, double weight) {
-  const std::size_t count = to.size() - shift;
-  for (std::size_t k = 0; k < count; ++k) to[k] += weight * from[k + shift];
-  for (std::size_t k = 0; k < count; ++k) to[k + shift] += weight * from[k];
+SLIDEZONE_VECTOR_LOOP static void add_scaled(double* to, const double* from, std::size_t count, double weight) {
+#pragma GCC ivdep
+  for (std::size_t k = 0; k < count; ++k) to[k] += weight * from[k];
+}
+
+/// Adds to a line of places each weight times the values that many `stride`s away, both ways.
+static void smooth_line(double* to, const double* from, std::size_t length, const std::vector<double>& weights, std::size_t stride) {
+  add_scaled(to, from, length, weights[0]);
+  for (std::size_t k = 1; k < weights.size() && k * stride < length; ++k) {
+    const std::size_t count = length - k * stride;
+    add_scaled(to, from + k * stride, count, weights[k]);
+    add_scaled(to + k * stride, from, count, weights[k]);
+  }
 }
 
 std::vector<double> NonlocalAverage::smoothed(const std::vector<double>& values) const {
   // Along x whole columns shift; along y each column is a line of its own.
-  std::vector<double> along_x(values.size());
-  std::transform(values.begin(), values.end(), along_x.begin(), [&](double value) { return along_x_.weights[0] * value; });
-  for (std::size_t k = 1; k < along_x_.weights.size() && k < columns_; ++k) add_shifted(along_x, values, k * rows_, along_x_.weights[k]);
+  std::vector<double> along_x(values.size(), 0.0);
+  smooth_line(along_x.data(), values.data(), values.size(), along_x_.weights, rows_);
   std::vector<double> result(values.size(), 0.0);
-  for (std::size_t column = 0; column < columns_; ++column) {
-    const double* from = along_x.data() + column * rows_;
-    double* to = result.data() + column * rows_;
-    for (std::size_t k = 0; k < along_y_.weights.size() && k < rows_; ++k) {
-      const double weight = along_y_.weights[k];
-      for (std::size_t j = 0; j + k < rows_; ++j) to[j] += weight * from[j + k];
-      if (k > 0)
-        for (std::size_t j = 0; j + k < rows_; ++j) to[j + k] += weight * from[j];
-    }
-  }
+  for (std::size_t column = 0; column < columns_; ++column)
+    smooth_line(result.data() + column * rows_, along_x.data() + column * rows_, rows_, along_y_.weights, 1);
   return result;
 }
 
