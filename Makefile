@@ -23,7 +23,7 @@ JOBS := $(shell nproc)
 # What building, testing and the demo need, and what the slow tests and the benchmarks need on top.
 PACKAGES := g++ cmake make pkg-config libeigen3-dev libfftw3-dev libgsl-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libudunits2-dev \
             librandom123-dev libxxhash-dev libgtest-dev bats bats-assert bats-support bats-file python3-jsonschema hdf5-tools \
-            gnuplot-nox help2man
+            gnuplot-nox bsdextrautils help2man
 PACKAGES_SLOW := time python3-vtk9 r-base-core r-cran-nortest r-cran-boot pandoc chromium poppler-utils r-cran-gstat
 
 PACKAGES_BENCH := libbenchmark-dev
