@@ -19,6 +19,8 @@
 # What comes of it, in OUT:
 #   fields/K.h5 points/K.h5   realizations K to K+49: rfgen's and rfmap's files. Batches are always full, so that a greater N
 #                             changes none of them
+#   in_situ.h5                the state before any soil yields, where all realizations start (mpmrun --make-in-situ): rows are the same as
+#                             without it
 #   rows/K.tsv                realization K: mpmrun's row; 0 is the deterministic run
 #   rows.tsv                  all rows, and from them statistics.tsv, classes.tsv, curve.tsv, and trace.tsv, histogram.tsv, densities.tsv
 #   structures.tsv            the classes of the structures listed in STRUCTURES
@@ -136,9 +138,12 @@ $(OUT)/fields/%.h5: $(made_by) $(OUT)/measurements.sum | $(OUT)/fields
 $(OUT)/points/%.h5: $(OUT)/fields/%.h5 | $(OUT)/points
 	$(Q)rfmap $(SCENE) $< --quiet -o $@
 
+$(OUT)/in_situ.h5: $(made_by)
+	$(Q)mpmrun $(SCENE) --make-in-situ --quiet -o $@
+
 $(foreach pair,$(numbered),$(eval $(call row_of,$(pair)): $(call points_of,$(pair))))
-$(random_rows): $(OUT)/rows/%.tsv: $(made_by) | $(OUT)/rows
-	$(Q)mpmrun $(SCENE) --points $(filter %.h5,$^) --sample $(number) --quiet -o $@
+$(random_rows): $(OUT)/rows/%.tsv: $(made_by) | $(OUT)/in_situ.h5 $(OUT)/rows
+	$(Q)mpmrun $(SCENE) --points $(filter %.h5,$^) --sample $(number) --in-situ $(OUT)/in_situ.h5 --quiet -o $@
 	@$(here)progress $(OUT) $(N) $(started)
 
 started := $(shell date +%s)

@@ -21,6 +21,7 @@ k=0
 while (($#)); do
   case $1 in
     --sample) k=$2 ;;
+    --make-in-situ) k=stage ;;
     -o) out=$2 ;;
     --table | --profile | --state) touch "$2" ;;
   esac

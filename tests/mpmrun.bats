@@ -43,7 +43,8 @@ use_of() { mpmrun changed.toml --explain | awk -F'\t' -v part="$1" '$1 == part {
 
 @test "wrong command lines exit 64" {
   for options in "" "$scene --no-such-option" "$scene --sample 1" "$scene --points p.h5 --sample 0" "$scene --points p.h5 --sample 010" \
-    "$scene --every 1s" "$scene --frames f --every 0s" "$scene --frames f --every 1kg" "$scene --threads 0" "$scene extra"; do
+    "$scene --every 1s" "$scene --frames f --every 0s" "$scene --frames f --every 1kg" "$scene --threads 0" "$scene extra" "$scene --make-in-situ --in-situ f" \
+    "$scene --in-situ f --frames f" "$scene --points - --in-situ -" "- --points -"; do
     # shellcheck disable=SC2086
     run --separate-stderr mpmrun $options
     assert_failure 64
@@ -167,6 +168,56 @@ constant_field() { printf '\n[field.%s]\nmean = "%s"\ncov = 1e-9\nhorizontal_sca
 
 # without_fields: the tiny scene without its field, sliding from the start of the run.
 without_fields() { sed '/^\[field/,/^$/d' "$scene"; }
+
+# slow SED-SCRIPT: the tiny scene under gravity that grows for 10 s, changed, as changed.toml; it yields after more than 50 steps.
+slow() { edited "s/^mean = .*/mean = \"3 kPa\"/; s/^protocol = .*/protocol = \"ramp\"\nramp_time = \"10 s\"/; s/^end = .*/end = \"10 s\"/; $1"; }
+
+@test "realizations that start from the in-situ stage have the bytes of whole ones" {
+  slow ''
+  run mpmrun changed.toml --make-in-situ -o in_situ.h5
+  assert_success
+  assert_output --regexp '^mpmrun: note: all realizations share [0-9.]+ s of 10 s$'
+  assert_schema stage in_situ.h5
+  rfgen changed.toml -n 2 | rfmap changed.toml - -o points.h5
+  mpmrun changed.toml --points points.h5 --sample 2 --state whole.hdf -o whole.tsv
+  assert_equal "$(awk '/^2/ { print $2 }' whole.tsv)" slid
+  mpmrun changed.toml --points points.h5 --sample 2 --in-situ in_situ.h5 --state state.hdf -o row.tsv
+  cmp row.tsv whole.tsv
+  cmp state.hdf whole.hdf
+  mpmrun changed.toml --make-in-situ --quiet | mpmrun changed.toml --in-situ - -o row.tsv
+  mpmrun changed.toml | cmp - row.tsv
+}
+
+@test "where realizations differ or yield from the start, the in-situ stage is empty and rows are the same" {
+  local change
+  for change in 's/^protocol = .*/protocol = "k0"\nk0 = 0/; /^ramp_time/d' \
+    's/^\[field.cohesion\]/[field.unit_weight]/; s/^mean = .*/mean = "20 kN\/m^3"/'; do
+    slow ''
+    sed -i "$change" changed.toml
+    run mpmrun changed.toml --make-in-situ -o in_situ.h5
+    assert_success
+    assert_output "mpmrun: note: realizations share nothing: they differ or yield from the start"
+    assert_schema stage in_situ.h5
+    rfgen changed.toml -n 1 | rfmap changed.toml - -o points.h5
+    mpmrun changed.toml --points points.h5 -o whole.tsv
+    mpmrun changed.toml --points points.h5 --in-situ in_situ.h5 | cmp - whole.tsv
+  done
+}
+
+@test "an in-situ stage of another scene, other files and damaged files exit 65" {
+  slow ''
+  mpmrun changed.toml --make-in-situ --quiet -o in_situ.h5
+  run --separate-stderr mpmrun "$scene" --in-situ in_situ.h5
+  assert_failure 65
+  assert_regex "$stderr" '^mpmrun: in_situ.h5: found a stage of scene [0-9a-f]+, expected [0-9a-f]+; was it made from another scene\?$'
+  run --separate-stderr mpmrun changed.toml --in-situ changed.toml
+  assert_failure 65
+  head -c 3000 in_situ.h5 >short.h5
+  run --separate-stderr mpmrun changed.toml --in-situ short.h5
+  assert_failure 65
+  run mpmrun changed.toml --in-situ missing.h5
+  assert_failure 66
+}
 
 @test "fields of no spread are a soil of their means: every parameter reaches the run" {
   edited 's/^youngs_modulus.*/youngs_modulus = "1500 kPa"/; s/^unit_weight.*/unit_weight = "21 kN\/m^3"/; s/^cohesion = .*/cohesion = "4 kPa"/

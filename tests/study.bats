@@ -46,7 +46,7 @@ sums() { (cd "$1" && find . -name '*.tsv' -o -name '*.h5' -o -name '*.hdf' | sor
   assert_equal "$(samples_run)" "1 2 3 4"
   local table
   for table in rows/000003.tsv:row rows.tsv:row statistics.tsv:statistics classes.tsv:classes curve.tsv:curve structures.tsv:structures \
-    trace.tsv:trace histogram.tsv:histogram densities.tsv:densities \
+    in_situ.h5:stage trace.tsv:trace histogram.tsv:histogram densities.tsv:densities \
     shown/row.tsv:row shown/points.tsv:table shown/surface.tsv:profile shown/state.hdf:state fields/000001.h5:fields points/000001.h5:points; do
     assert_schema "${table#*:}" "$study/out/${table%:*}"
   done
@@ -147,6 +147,20 @@ sums() { (cd "$1" && find . -name '*.tsv' -o -name '*.h5' -o -name '*.hdf' | sor
   run_study tables N=6 --jobs=3
   assert_success
   assert_equal "$(sums "$study/out")" "$(sums "$study/one")"
+}
+
+@test "rows start from the in-situ stage, which is made once, and are those of runs from the beginning" {
+  sed -i 's/^protocol = .*/protocol = "ramp"\nramp_time = "10 s"/; s/^end = .*/end = "10 s"/' "$study/scene.toml"
+  run_study rows N=3
+  assert_success
+  assert_equal "$(grep -c '^mpmrun .*--make-in-situ' "$calls")" 1
+  assert_equal "$(grep -c '^mpmrun .*--in-situ out/in_situ.h5' "$calls")" 3
+  "$real/mpmrun" "$study/scene.toml" --points "$study/out/points/000001.h5" --sample 3 | cmp - "$study/out/rows/000003.tsv"
+  rm "$study/out/in_situ.h5"
+  forget_calls
+  run_study rows N=3
+  assert_success
+  assert_equal "$(samples_run)" ""
 }
 
 @test "an interrupted study leaves whole rows, and the same command finishes it" {

@@ -1,9 +1,10 @@
 // mpmrun: fails one slope once with the material point method.
 //
-//   scene.toml [+ points.h5 of rfmap] -> one row (influence, runout, status, audit); states and tables on request
+//   scene.toml [+ points.h5 of rfmap] [+ in_situ.h5] -> one row (influence, runout, status, audit); states and tables on request
+//   scene.toml -> in_situ.h5, where all its realizations may start
 //   mpmrun pipelines/benchmark/scene.toml
 //
-// Schemas: scene.schema.json, points.json, row.json, state.json, table.json, profile.json in data-schemas/.
+// Schemas: scene.schema.json, points.json, stage.json, row.json, state.json, table.json, profile.json in data-schemas/.
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <optional>
@@ -21,6 +22,7 @@
 #include "io/units.hpp"
 #include "io/vtkhdf.hpp"
 #include "realization/explanation.hpp"
+#include "realization/in_situ.hpp"
 #include "realization/realization.hpp"
 
 namespace slidezone {
@@ -35,8 +37,10 @@ struct Options {
   std::string profile;
   std::string frames;
   std::string every = "1 s";
+  std::string in_situ;
   int threads = 1;
   bool explain = false;
+  bool makes_stage = false;
 };
 
 /// What every file of this run says of itself. A row carries its number, so that rows of one study share their provenance.
@@ -107,10 +111,22 @@ static void report_trouble(const Row& row, const Outcome& outcome) {
     warn("the energy balance misses " + percent + "; take a smaller time step");
 }
 
+static void make_stage(const Options& options, const Scene& scene, const MaterialPoints& points) {
+  const std::optional<ElasticStage> stage = in_situ_stage(scene, points);
+  const double time = stage ? static_cast<double>(stage->steps()) * time_step(model_of(scene, points, {})) : 0;
+  note(stage ? "all realizations share " + format_brief(time, 3) + " s of " + format_brief(scene.time.end) + " s"
+             : "realizations share nothing: they differ or yield from the start");
+  write_output(options.output, stage_file(stage, run_provenance("slidezone-stage 1", scene, "")));
+}
+
 static void run(const Options& options) {
+  if ((options.scene == "-") + (options.points == "-") + (options.in_situ == "-") > 1)
+    throw Error(ExitCode::usage, "only one of scene, --points and --in-situ can come from stdin; give the others as files");
+  if (options.makes_stage) refuse_terminal(options.output);
   const Scene scene = read_scene(options.scene, {.grid = true, .soil = true, .time = true});
   warn_of_locking(scene);
   const MaterialPoints points = material_points(scene);
+  if (options.makes_stage) return make_stage(options, scene, points);
   std::optional<FieldSample> sample;
   std::string points_checksum;
   if (!options.points.empty()) {
@@ -124,6 +140,7 @@ static void run(const Options& options) {
   };
   Model model = model_of(scene, points, sample);
   model.threads = options.threads;
+  if (!options.in_situ.empty()) model.stage = stage_in(InputFile(options.in_situ).bytes(), input_name(options.in_situ), scene, points);
   if (options.explain) {
     write_output(options.output, explanation(model, sample.has_value(), detailed("slidezone-explanation 1")));
     return;
@@ -169,9 +186,17 @@ int main(int argc, char** argv) {
   app.add_option("--profile", options.profile, "Ground surface before and after, as TSV");
   CLI::Option* frames = app.add_option("--frames", options.frames, "Folder for states during the run, VTKHDF with an index for ParaView");
   app.add_option("--every", options.every, "Time between frames, with its unit")->capture_default_str()->needs(frames);
+  CLI::Option* in_situ =
+      app.add_option("--in-situ", options.in_situ, "Start from the file of --make-in-situ; the row is the same, and some time is saved");
+  in_situ->excludes(frames);
   app.add_option("--threads", options.threads, "Threads that share a run of 100,000 points or more; the result does not depend on it")
       ->check(whole_number(1))
       ->capture_default_str();
+  app.add_flag("--make-in-situ", options.makes_stage,
+               "Write the state of all points before any yields at the lowest strength that the scene's fields can have, as HDF5 and in "
+               "place of a "
+               "row: all realizations share it")
+      ->excludes(points, frames, in_situ);
   app.add_flag("--explain", options.explain, "Print what this scene uses and what is left out, and why, as TSV; run nothing");
   return tool_main(app, "mpmrun pipelines/benchmark/scene.toml", argc, argv, [&] { run(options); });
 }

@@ -33,6 +33,23 @@ void clear_new_sums(Nodes& nodes, const NodeBox& box) {
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) { clear(nodes.new_velocity, 2 * first, 2 * count); });
 }
 
+std::vector<double> new_velocities_in(const Nodes& nodes, const NodeBox& box) {
+  std::vector<double> result;
+  for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
+    const auto begin = nodes.new_velocity.begin() + static_cast<std::ptrdiff_t>(2 * first);
+    result.insert(result.end(), begin, begin + static_cast<std::ptrdiff_t>(2 * count));
+  });
+  return result;
+}
+
+void set_new_velocities(Nodes& nodes, const NodeBox& box, const std::vector<double>& velocities) {
+  auto from = velocities.begin();
+  for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
+    std::copy_n(from, 2 * count, nodes.new_velocity.begin() + static_cast<std::ptrdiff_t>(2 * first));
+    from += static_cast<std::ptrdiff_t>(2 * count);
+  });
+}
+
 // ---- walls and base as mirrors ----------------------------------------------------------------------------------------
 
 /// Signs that a mirror gives to the components of a velocity, momentum or force.

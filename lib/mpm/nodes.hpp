@@ -51,6 +51,10 @@ struct ContactNormals {
 void clear_sums(Nodes& nodes, const NodeBox& box);
 void clear_new_sums(Nodes& nodes, const NodeBox& box);
 
+/// The new velocities of the nodes in the box, column by column, and back.
+std::vector<double> new_velocities_in(const Nodes& nodes, const NodeBox& box);
+void set_new_velocities(Nodes& nodes, const NodeBox& box, const std::vector<double>& velocities);
+
 /// Walls and base are mirrors: what points map to the padding nodes behind one is folded onto the nodes in front, with the
 /// normal component turned round, and the padding nodes move as mirror images. Without this a point whose domain
 /// reaches through the base would still be carried by the first node above it, and would sink through.

@@ -117,6 +117,7 @@ class Run {
     }
     box_ = {0, nodes_.storage.columns - 1, 0, nodes_.storage.rows - 1};
     box_ = sweeps_.update(data()).box;  // at rest on a resting grid: nothing changes, but the box is found
+    if (model_.stage) begin_with(*std::exchange(model_.stage, {}));
   }
 
   /// One step; false ends the run.
@@ -142,8 +143,21 @@ class Run {
 
   double step() const { return step_; }
   std::uint64_t steps() const { return steps_; }
+  double time() const { return static_cast<double>(steps_) * step_; }
   double grid_kinetic() const { return grid_kinetic_; }
   const Points& points() const { return points_; }
+
+  /// Whether a run that begins here does the same: strips are divided where sorting is due.
+  bool can_be_resumed() const { return steps_ % sort_interval == 0 || points_.count() < Strips::least_points; }
+
+  /// After steps without yield; their kinetic energies are left to fill in.
+  ElasticStage stage() const {
+    ElasticStage stage{{}, points_, box_, new_velocities_in(nodes_, box_), audit_};
+    for (auto* of_model : {&stage.points.mass, &stage.points.plastic_strain, &stage.points.softening_strain, &stage.points.peak_cohesion})
+      of_model->clear();
+    stage.points.soil.clear();
+    return stage;
+  }
 
   /// The points with the step in progress completed, in their first order; the run itself is not touched.
   Points completed_points() const {
@@ -168,6 +182,18 @@ class Run {
   }
 
  private:
+  void begin_with(ElasticStage stage) {
+    reorder(points_, stage.points.label);
+    for (auto values : {&Points::x, &Points::y, &Points::velocity, &Points::movement, &Points::xx, &Points::yy, &Points::zz, &Points::xy,
+                        &Points::volume})
+      points_.*values = std::move(stage.points.*values);
+    box_ = stage.box;
+    set_new_velocities(nodes_, box_, stage.new_velocity);
+    audit_ = stage.energy;
+    steps_ = stage.steps();
+    grid_kinetic_ = stage.kinetic.back();
+  }
+
   // ---- parts of a step ----
 
   void sort_points() {
@@ -360,20 +386,58 @@ SoilTraits soil_traits(const Model& model) {
 
 Kernel kernel_for(const Model& model) { return {best_instruction_set(), soil_traits(model)}; }
 
+/// Steps until the end of time.
+static std::uint64_t last_step(const TimeStepping& stepping, double step) {
+  return static_cast<std::uint64_t>(std::ceil(stepping.end / step - 1e-9));
+}
+
+static bool is_at_rest(const TimeStepping& stepping, const RestWatch& watch, double time) {
+  return stepping.rest && time - watch.moving_until() >= stepping.rest->hold;
+}
+
+static bool has_yielded(const Points& points) {
+  return std::any_of(points.plastic_strain.begin(), points.plastic_strain.end(), [](double strain) { return strain > 0; });
+}
+
+std::optional<ElasticStage> elastic_stage(Model model) {
+  const TimeStepping stepping = model.time;
+  const Kernel kernel = kernel_for(model);
+  Run run(std::move(model), kernel);
+  RestWatch watch(stepping.rest.value_or(RestRule{}));
+  std::vector<double> kinetic;
+  std::optional<ElasticStage> stage;
+  std::size_t steps_of_stage = 0;
+  while (run.steps() < last_step(stepping, run.step()) && run.advance(run.time())) {
+    kinetic.push_back(run.grid_kinetic());
+    watch.see(run.time(), run.grid_kinetic(), run.points());
+    if (is_at_rest(stepping, watch, run.time())) break;
+    if (has_yielded(run.points())) break;
+    if (!run.can_be_resumed()) continue;
+    stage = run.stage();
+    steps_of_stage = kinetic.size();
+  }
+  kinetic.resize(steps_of_stage);
+  if (stage) stage->kinetic = std::move(kinetic);
+  return stage;
+}
+
 Outcome simulate(Model model, const Observer& observer, std::optional<Kernel> kernel) {
   const TimeStepping stepping = model.time;
+  const std::vector<double> kinetic_of_stage = model.stage ? model.stage->kinetic : std::vector<double>{};
   const Kernel chosen = kernel.value_or(kernel_for(model));
   Run run(std::move(model), chosen);
-  const auto last_step = static_cast<std::uint64_t>(std::ceil(stepping.end / run.step() - 1e-9));
+  const std::uint64_t last = last_step(stepping, run.step());
   const std::function<Points()> points = [&run] { return run.completed_points(); };
   RestWatch watch(stepping.rest.value_or(RestRule{}));
+  for (std::size_t step = 1; const double kinetic : kinetic_of_stage)
+    watch.see(static_cast<double>(step++) * run.step(), kinetic, run.points());
   Ending ending = Ending::at_end;
-  double time = 0;
-  while (run.steps() < last_step && run.advance(time)) {
-    time = static_cast<double>(run.steps()) * run.step();
+  double time = run.time();
+  while (run.steps() < last && run.advance(time)) {
+    time = run.time();
     watch.see(time, run.grid_kinetic(), run.points());
-    if (observer) observer({run.steps(), last_step, time, points});
-    if (stepping.rest && time - watch.moving_until() >= stepping.rest->hold) {
+    if (observer) observer({run.steps(), last, time, points});
+    if (is_at_rest(stepping, watch, time)) {
       ending = Ending::at_rest;
       break;
     }

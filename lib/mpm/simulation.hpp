@@ -24,6 +24,31 @@
 
 namespace slidezone {
 
+struct EnergyAudit {
+  double gravity_work = 0;  // J/m
+  double internal_work = 0;
+  double friction_work = 0;
+  double damping_work = 0;
+  double kinetic = 0;     // of the points, less what they began with
+  double least_work = 0;  // the error is measured by this at least
+
+  double missing() const { return gravity_work - internal_work - friction_work - damping_work - kinetic; }
+  /// What does not close, as a part of gravity's work or of least_work, whichever is more.
+  double error() const;
+};
+
+/// A run between two steps, before any point has yielded. Models share it that differ in strength alone and are nowhere weaker than
+/// the one that it was made with.
+struct ElasticStage {
+  std::vector<double> kinetic;       // energy on the grid after each step so far, J/m
+  Points points;                     // in the order of the run; mass, strains, strength and soil are those of each model
+  NodeBox box;                       // the nodes that points reach
+  std::vector<double> new_velocity;  // of these nodes, as in Nodes, m/s
+  EnergyAudit energy;
+
+  std::uint64_t steps() const { return kinetic.size(); }
+};
+
 /// Everything that a run starts from.
 struct Model {
   GridShape grid;
@@ -37,24 +62,12 @@ struct Model {
   TimeStepping time;
   Scheme method;
   std::optional<NonlocalSoftening> nonlocal_softening;
-  int threads = 1;                 // that share a run of Strips::least_points or more; the result is the same for any number
-  bool refuses_long_steps = true;  // beyond step_limit; tests that look for the true limit say false
+  std::optional<ElasticStage> stage;  // where the run begins; absent: with the points at their start
+  int threads = 1;                    // that share a run of Strips::least_points or more; the result is the same for any number
+  bool refuses_long_steps = true;     // beyond step_limit; tests that look for the true limit say false
 };
 
 enum class Ending { at_end, at_rest, left_domain, diverged };
-
-struct EnergyAudit {
-  double gravity_work = 0;  // J/m
-  double internal_work = 0;
-  double friction_work = 0;
-  double damping_work = 0;
-  double kinetic = 0;     // of the points, less what they began with
-  double least_work = 0;  // the error is measured by this at least
-
-  double missing() const { return gravity_work - internal_work - friction_work - damping_work - kinetic; }
-  /// What does not close, as a part of gravity's work or of least_work, whichever is more.
-  double error() const;
-};
 
 struct Outcome {
   Ending ending = Ending::at_end;
@@ -96,6 +109,10 @@ struct Kernel {
 
 /// The leanest kernel that can run the model on this processor.
 Kernel kernel_for(const Model& model);
+
+/// The model's elastic stage: a run that begins with it has the same bits as one from the start. It ends before the step in which the
+/// first point yields, or up to 50 steps earlier where the run is divided into strips; nothing where soil yields at once.
+std::optional<ElasticStage> elastic_stage(Model model);
 
 /// Runs the model. Tests and benchmarks choose the kernel; one that leaves out what the model needs gives wrong results.
 Outcome simulate(Model model, const Observer& observer = {}, std::optional<Kernel> kernel = {});
