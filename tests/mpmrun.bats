@@ -219,6 +219,22 @@ slow() { edited "s/^mean = .*/mean = \"3 kPa\"/; s/^protocol = .*/protocol = \"r
   assert_failure 66
 }
 
+@test "a sample of other fields than those of the in-situ stage exits 65" {
+  slow 's/^\[field.cohesion\]/[field.unit_weight]/'
+  sed 's/^mean = .*/mean = "20 kN\/m^3"/' changed.toml >heavy.toml
+  rfgen heavy.toml -n 1 | rfmap heavy.toml - -o heavy.h5
+  slow ''
+  rfgen changed.toml -n 1 | rfmap changed.toml - -o weak.h5
+  slow '/^\[field.cohesion\]/,/^cell = "0.25 m"/d; s/^cohesion = .*/cohesion = "3 kPa"/; /^\[study\]/,$d'
+  mpmrun changed.toml --make-in-situ --quiet -o in_situ.h5
+  run --separate-stderr mpmrun changed.toml --points heavy.h5 --in-situ in_situ.h5
+  assert_failure 65
+  assert_regex "$stderr" '^mpmrun: heavy.h5: point 0 has other parameters than the soil of the in-situ stage; was it made from another scene\?$'
+  run --separate-stderr mpmrun changed.toml --points weak.h5 --in-situ in_situ.h5
+  assert_failure 65
+  assert_regex "$stderr" '^mpmrun: weak.h5: point [0-9]+ has a cohesion of [0-9.]+ Pa, below the 3000 Pa of the in-situ stage'
+}
+
 @test "fields of no spread are a soil of their means: every parameter reaches the run" {
   edited 's/^youngs_modulus.*/youngs_modulus = "1500 kPa"/; s/^unit_weight.*/unit_weight = "21 kN\/m^3"/; s/^cohesion = .*/cohesion = "4 kPa"/
     s/^residual_cohesion.*/residual_cohesion = "2 kPa"\nfriction_angle = "5 deg"/'

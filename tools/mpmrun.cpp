@@ -140,7 +140,10 @@ static void run(const Options& options) {
   };
   Model model = model_of(scene, points, sample);
   model.threads = options.threads;
-  if (!options.in_situ.empty()) model.stage = stage_in(InputFile(options.in_situ).bytes(), input_name(options.in_situ), scene, points);
+  if (!options.in_situ.empty()) {
+    model.stage = stage_in(InputFile(options.in_situ).bytes(), input_name(options.in_situ), scene, points);
+    if (model.stage && sample) check_shares_stage(model, scene, points, input_name(options.points));
+  }
   if (options.explain) {
     write_output(options.output, explanation(model, sample.has_value(), detailed("slidezone-explanation 1")));
     return;

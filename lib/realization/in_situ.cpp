@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "io/hdf5_image.hpp"
 #include "realization/realization.hpp"
 
 namespace slidezone {
 
-std::optional<ElasticStage> in_situ_stage(const Scene& scene, const MaterialPoints& points) {
+/// The scene with the lowest strength that its fields can have; nothing where they vary more than strength.
+static std::optional<Model> weakest_model(const Scene& scene, const MaterialPoints& points) {
   FieldSample weakest;
   weakest.values.resize(points.x.size());
   for (const FieldSpec& field : scene.fields) {
@@ -21,7 +23,30 @@ std::optional<ElasticStage> in_situ_stage(const Scene& scene, const MaterialPoin
       weakest.values[p][static_cast<std::size_t>(Parameter::cohesion)] = least_cohesion(scene.layers[soil]);
     }
   }
-  return elastic_stage(model_of(scene, points, weakest));
+  return model_of(scene, points, weakest);
+}
+
+std::optional<ElasticStage> in_situ_stage(const Scene& scene, const MaterialPoints& points) {
+  std::optional<Model> model = weakest_model(scene, points);
+  return model ? elastic_stage(std::move(*model)) : std::nullopt;
+}
+
+void check_shares_stage(const Model& model, const Scene& scene, const MaterialPoints& points, const std::string& name) {
+  const std::optional<Model> weakest = weakest_model(scene, points);
+  for (std::size_t p = 0; p < points.x.size(); ++p) {
+    const double cohesion = model.points.peak_cohesion[p];
+    const double least = weakest->points.peak_cohesion[p];
+    Material soil = soil_of(model, model.points, p);
+    const Material& expected = soil_of(*weakest, weakest->points, p);
+    soil.peak_cohesion = expected.peak_cohesion;
+    soil.residual_cohesion = expected.residual_cohesion;
+    if (cohesion >= least && soil == expected) continue;
+    throw Error(ExitCode::data,
+                name + ": point " + std::to_string(p) + " has " +
+                    (cohesion < least ? "a cohesion of " + format_brief(cohesion) + " Pa, below the " + format_brief(least) + " Pa"
+                                      : "other parameters than the soil") +
+                    " of the in-situ stage; was it made from another scene?");
+  }
 }
 
 // ---- file -----------------------------------------------------------------------------------------------------------------------

@@ -25,4 +25,8 @@ std::string stage_file(const std::optional<ElasticStage>& stage, const Provenanc
 /// What stage_file wrote; `name` is the file's name in messages. Throws if it is of another scene or of another version of mpmrun.
 std::optional<ElasticStage> stage_in(std::string_view image, const std::string& name, const Scene& scene, const MaterialPoints& points);
 
+/// Throws unless `model`, of this scene and a field sample, shares the scene's stage: at every point the soil must be that of the scene,
+/// and no weaker than the stage allows. A sample of another scene's fields need not be; `name` is its file's name in messages.
+void check_shares_stage(const Model& model, const Scene& scene, const MaterialPoints& points, const std::string& name);
+
 }  // namespace slidezone
