@@ -15,6 +15,8 @@ setup() { cd "$BATS_TEST_TMPDIR"; }
   run -0 make --no-print-directory -C "$TOP/pipelines/stability" quick OUT="$BATS_TEST_TMPDIR/out" BUILD="$SLIDEZONE_BUILD"
   assert_line --regexp '^stiff_100_mpa +as expected$'
   assert_line --regexp '^[0-9]+ cases, 0 failed$'
+  assert_line --regexp '^USL_GIMP_1 +edge .* kept '
+  assert_line --regexp '^[0-9]+ limits, 0 failed$'
   refute_line --partial FAILED
 }
 

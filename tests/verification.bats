@@ -40,6 +40,18 @@ setup() { cd "$BATS_TEST_TMPDIR"; }
   run -1 judge limits.tsv quick results.tsv
 }
 
+@test "a limit for each row holds for the worst of them" {
+  limits each 0.02
+  printf 'case\tquantity\tsize\texact\tcomputed\n' >results.tsv
+  printf 'bar\tperiod_s\t%s\t%s\t%s\n' 0.33 2 2.03 0 1 1.01 >>results.tsv
+  run -0 judge limits.tsv quick results.tsv
+  assert_line --partial "1.5 %"
+  printf 'bar\tperiod_s\t0.49\t3\t3.1\n' >>results.tsv
+  run -1 judge limits.tsv quick results.tsv
+  sed -i 's/3.1$/nan/' results.tsv
+  run -1 judge limits.tsv quick results.tsv
+}
+
 @test "a case without result and a result without limit are errors" {
   limits absolute 1
   results 2 2

@@ -12,6 +12,7 @@
 #include "mpm/nonlocal_softening.hpp"
 #include "mpm/point_order.hpp"
 #include "mpm/rest_watch.hpp"
+#include "mpm/stable_part.hpp"
 #include "mpm/strips.hpp"
 
 namespace slidezone {
@@ -361,17 +362,21 @@ const Material& soil_of(const Model& model, const Points& points, std::size_t p)
 }
 
 double step_limit(const Model& model) {
+  const HalfSize half = half_size(model);
   double fastest = 0;
-  for (const Material& soil : materials(model)) fastest = std::max(fastest, std::sqrt(constrained_modulus(soil) / soil.density));
+  for (const Material& soil : materials(model))
+    fastest = std::max(fastest, std::sqrt(constrained_modulus(soil) / soil.density) /
+                                    stable_part(model.method, std::min(half.x, half.y), soil.poisson_ratio));
   return std::min(model.grid.cell_x, model.grid.cell_y) / fastest;
 }
 
 double time_step(const Model& model) {
   const double limit = step_limit(model);
   const double step = model.time.step.value_or(model.time.step_fraction * limit);
-  if (step <= limit || !model.refuses_long_steps) return step;
-  throw Error(ExitCode::data, "the time step of " + format_brief(step) + " s is beyond the stability limit of " + format_brief(limit) +
-                                  " s (smallest cell over the fastest wave); take a smaller step, or 'step_fraction'");
+  if ((0 < step && step <= limit) || !model.refuses_long_steps) return step;
+  throw Error(ExitCode::data,
+              "the time step of " + format_brief(step) + " s is beyond the stability limit of " + format_brief(limit) +
+                  " s (smallest cell over the fastest wave, or what of it the method allows); take a smaller step, or 'step_fraction'");
 }
 
 SoilTraits soil_traits(const Model& model) {

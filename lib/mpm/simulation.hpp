@@ -1,6 +1,7 @@
 // One run of the material point method: the time loop around the two sweeps (MUSL, GIMP), with its guards.
 //
-// Step limit: dt <= min(cell) / c with c = sqrt(M / rho) the speed of plane waves and M the constrained modulus.
+// Step limit: dt <= a min(cell) / c with c = sqrt(M / rho) the speed of plane waves, M the constrained modulus, and a <= 1 what the
+// method allows (stable_part.hpp; 1 for the default).
 // Energy audit: work of gravity = internal work + friction work + damping + kinetic energy of the points. What does not close is the
 // error; it is the guard that sees an unstable step while all numbers still look plausible. It is measured by the work of
 // gravity or, where the soil hardly sinks, by what it started with: its kinetic energy, and the work that gravity would do on
@@ -91,7 +92,7 @@ using Observer = std::function<void(const Moment&)>;
 /// The soil of point p: its own, or that of its layer. Its peak cohesion is Points::peak_cohesion.
 const Material& soil_of(const Model& model, const Points& points, std::size_t p);
 
-/// Longest stable step, s.
+/// Longest step that is stable wherever points lie, s; 0 where none is.
 double step_limit(const Model& model);
 
 /// The step that the run takes: as the scene says, or its fraction of the limit. Throws Error(ExitCode::data) for a step

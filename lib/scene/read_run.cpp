@@ -112,6 +112,10 @@ Scheme read_method(const TomlTable& table) {
   method.damping_rate = table.quantity_or("damping_rate", "s-1", not_negative, method.damping_rate);
   if (method.anti_locking == AntiLocking::b_bar && method.update_order == UpdateOrder::usf)
     table.fail("anti_locking", "\"B-bar\" averages over cells at the end of a step; take update_order = \"MUSL\" or \"USL\"");
+  if (method.shape_functions == ShapeFunctions::linear && method.update_order == UpdateOrder::usl)
+    table.fail("shape_functions",
+               "\"linear\" leaves nodes at the rim next to no mass, and with update_order = \"USL\" no step is stable; "
+               "take \"MUSL\" or \"USF\", or \"GIMP\"");
   return method;
 }
 

@@ -1,27 +1,35 @@
-# The longest stable step over the limit that mpmrun keeps to, by body, points in a cell and Poisson's ratio.
-# usage: gnuplot -c edge.gp PICTURE EDGES      writes PICTURE.png and PICTURE.svg from the table of tests/verification/edge.cpp
+# The longest stable step by method, points in a cell, body and Poisson's ratio: found, by the spectrum of the step, and what mpmrun takes.
+# usage: gnuplot -c edge.gp PICTURE EDGES      writes PICTURE.png and PICTURE.svg from the tables of tests/verification/edge.cpp
 picture = ARG1
 edges = ARG2
 set datafile separator tab
-of(points) = sprintf("< grep '^edge_%d_points' %s | sed 's/_nu_/, nu /; s/edge_//'", points, edges)
-set style line 1 lc rgb "#4575b4" pt 7 ps 1.4
-set style line 2 lc rgb "#d73027" pt 5 ps 1.4
-set style line 4 lc rgb "#1a9850" pt 9 ps 1.4
+methods = "MUSL_GIMP MUSL_GIMP_B-bar USF_GIMP MUSL_linear USF_linear USL_GIMP USL_GIMP_B-bar"
+cases = system("awk 'NR > 1 && !seen[$1]++ { print $1 }' ".edges)
+of(name) = sprintf("< grep '^%s[[:blank:]]' %s", name, edges)
+points(name) = int(name[strlen(name):])
+method(name) = sum [k = 1:words(methods)] (word(methods, k) eq name[1:strlen(name) - 2] ? k : 0)
+colour(points) = points == 1 ? 0x4575b4 : points == 2 ? 0xd73027 : 0x1a9850
+shape(points) = points == 1 ? 7 : points == 2 ? 5 : 9
+# beside one another within a method: 1, 2 and 4 points, and for each the rows of its table
+place(name, row) = method(name) - 0.36 + 0.26 * (points(name) == 1 ? 0 : points(name) == 2 ? 1 : 2) + 0.018 * row
 set border 3
 set tics out nomirror
-set key bottom right
+set xtics nomirror scale 0
+set key top right
 set rmargin 4
-set ylabel "longest stable step over the limit"
-set yrange [0:2.5]
-set xrange [-0.5:11.5]
-place(name) = 3 * ((strstrt(name, "column") > 0) + 2 * (strstrt(name, "strip") > 0) + 3 * (strstrt(name, "scattered") > 0)) + \
-  (strstrt(name, "0.33") > 0) + 2 * (strstrt(name, "0.49") > 0)
-set xtics rotate by 35 right
-do for [i = 0:11] { set xtics add (sprintf("%s, nu %s", word("block column strip scattered", i / 3 + 1), word("0 0.33 0.49", i % 3 + 1)) i) }
+set bmargin 4.5
+set ylabel "longest stable step over cell / wave speed"
+set yrange [0:3]
+set xrange [0.5:words(methods) + 0.5]
+do for [k = 1:words(methods)] { set xtics add (system(sprintf("echo %s | tr _ '\\n'", word(methods, k))) k) }
 do for [format in "png svg"] {
-  if (format eq "png") { set terminal pngcairo noenhanced size 1000,560 font "sans,14" } else { set terminal svg noenhanced size 1000,560 font "sans,14" }
+  if (format eq "png") { set terminal pngcairo noenhanced size 1100,600 font "sans,14" } else { set terminal svg noenhanced size 1100,600 font "sans,14" }
   set output picture.".".format
-  plot 1 with lines dt 2 lc "#808080" title "the limit that mpmrun keeps to", for [points in "1 2 4"] of(int(points)) using (place(strcol(2))):5 with points \
-    ls int(points) title points." x ".points." points in a cell"
+  plot for [name in cases] of(name) using (place(name, $0)):($5 * $7) with points pt shape(points(name)) ps 1.1 lc rgb colour(points(name)) notitle, \
+    for [name in cases] of(name) using (place(name, $0)):($4 * $7) with points pt 1 ps 0.9 lw 1.5 lc rgb "#202020" notitle, \
+    for [name in cases] of(name) using (place(name, $0) - 0.009):7:(0.018):(0) with vectors nohead lw 2 lc rgb "#808080" notitle, \
+    for [number in "1 2 4"] NaN with points pt shape(int(number)) ps 1.4 lc rgb colour(int(number)) title "found, ".number." x ".number." points in a cell", \
+    NaN with points pt 1 ps 1.4 lw 1.5 lc rgb "#202020" title "by the spectrum of the step", \
+    NaN with lines lw 2 lc rgb "#808080" title "the limit that mpmrun keeps to"
   set output
 }

@@ -520,6 +520,8 @@ TEST(Method, EveryChoiceKeepsARigidFallExact) {
         Model model = block(3.03, 3.07, 4, 3, elastic);
         model.method = {order, shape, locking, 0};
         model.time.end = 0.3;
+        model.time.step = 2e-3;
+        model.refuses_long_steps = false;  // nothing deforms, so that no step is too long
         const Outcome outcome = simulate(model);
         const double dt = outcome.time / static_cast<double>(outcome.steps);
         const double fallen = -9.81 * outcome.time * (outcome.time + dt) / 2;
@@ -717,6 +719,21 @@ TEST(Guards, LetATestTakeALongerStep) {
 TEST(Guards, StepLimitIsThatOfTheBenchmark) {
   Material soil{.density = 20e3 / 9.81, .youngs_modulus = 1e6, .poisson_ratio = 0.33};
   EXPECT_NEAR(step_limit(block(1, 1, 1, 1, soil)), 7.4e-3, 5e-5);
+}
+
+TEST(Guards, StepLimitIsWhatTheMethodAllows) {
+  Model model = block(1, 1, 2, 2, elastic);
+  const double full = step_limit(model);
+  const auto part = [&](UpdateOrder order, ShapeFunctions shape) {
+    model.method.update_order = order;
+    model.method.shape_functions = shape;
+    return step_limit(model) / full;
+  };
+  EXPECT_EQ(part(UpdateOrder::usf, ShapeFunctions::gimp), 1);
+  EXPECT_DOUBLE_EQ(part(UpdateOrder::musl, ShapeFunctions::linear), 0.5);
+  EXPECT_DOUBLE_EQ(part(UpdateOrder::usl, ShapeFunctions::gimp), std::sqrt(2 * 0.7 * 0.1875 / 1.75));  // l = 1/4, nu = 0.3
+  EXPECT_EQ(part(UpdateOrder::usl, ShapeFunctions::linear), 0);
+  EXPECT_THROW(time_step(model), Error);  // half of nothing is no step
 }
 
 TEST(Guards, EndARunWhoseMaterialLeaves) {

@@ -1,6 +1,8 @@
 #include "verification/bodies.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace slidezone {
 
@@ -49,6 +51,17 @@ double kinetic_energy_of(const Points& points) {
   for (std::size_t p = 0; p < points.count(); ++p)
     energy += 0.5 * points.mass[p] * (std::pow(points.velocity[2 * p], 2) + std::pow(points.velocity[2 * p + 1], 2));
   return energy;
+}
+
+Scheme scheme_named(const std::string& name) {
+  static const std::map<std::string, UpdateOrder> orders = {
+      {"MUSL", UpdateOrder::musl}, {"USL", UpdateOrder::usl}, {"USF", UpdateOrder::usf}};
+  static const std::map<std::string, ShapeFunctions> shapes = {{"GIMP", ShapeFunctions::gimp}, {"linear", ShapeFunctions::linear}};
+  static const std::map<std::string, AntiLocking> lockings = {{"", AntiLocking::none}, {"B-bar", AntiLocking::b_bar}};
+  const std::size_t first = name.find('_');
+  const std::size_t second = std::min(name.find('_', first + 1), name.size());
+  return {orders.at(name.substr(0, first)), shapes.at(name.substr(first + 1, second - first - 1)),
+          lockings.at(second < name.size() ? name.substr(second + 1) : ""), 0};
 }
 
 }  // namespace slidezone

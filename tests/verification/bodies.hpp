@@ -1,6 +1,9 @@
 // Bodies for the verification programs, where no scene can express a case: rectangles of material points anywhere in a grid.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "mpm/simulation.hpp"
 
 namespace slidezone {
@@ -21,5 +24,9 @@ void add_rectangle(Model& model, Vec2 corner, Vec2 size, int soil = 0);
 Material elastic_soil(double density, double youngs_modulus, double poisson_ratio);
 
 double kinetic_energy_of(const Points& points);
+
+/// A method by its name: update order and shape functions as scenes call them, and B-bar, like "MUSL_GIMP" and "USL_GIMP_B-bar".
+/// Throws std::out_of_range for a name that does not exist.
+Scheme scheme_named(const std::string& name);
 
 }  // namespace slidezone

@@ -1,2 +1,2 @@
-s/^step = .*/step = "3e-3 s"/
+s/^step = .*/step = "2.5e-3 s"/
 $a [method]\nupdate_order = "USL"
