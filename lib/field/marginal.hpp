@@ -10,8 +10,8 @@
 //   uniform           mean (1 -+ sqrt(3) cov)
 //   empirical         the sorted data, item i of n at probability (i - 1/2)/n (Hazen), linear between, constant beyond
 //
-// Quantiles of GSL. Truncated normal, beta, gamma and Weibull are tabulated at every 1/64 of g and interpolated by cubics, to
-// 1e-7 of the standard deviation for |g| < 6 and COV up to 1 (measured, tests/unit/field.cpp).
+// Quantiles of GSL; those of truncated normal, beta, gamma and Weibull by a table at every 1/64 of g and cubics: to 1e-7 of the standard
+// deviation for |g| < 6 and COV up to 1 (tests/unit/marginal.cpp). COVs at which the table would miss it by 0.1 % are refused.
 #pragma once
 
 #include <functional>
@@ -25,13 +25,13 @@ namespace slidezone {
 
 class MarginalTransform {
  public:
-  /// Throws ExitCode::data for parameters that no distribution has, e.g. a beta of too large a standard deviation.
+  /// Throws ExitCode::data for parameters that no distribution has (a beta of too large a spread) or whose quantiles are out of reach.
   explicit MarginalTransform(const Marginal& marginal);
 
   /// The value of one standard normal, exactly.
   double value(double g) const { return quantile_(g); }
 
-  /// The standard normal of a value; nothing for one that lies beyond those of normals of +-8.6.
+  /// The standard normal of a value; of one at which data are level, the middle of its probabilities; nothing beyond those of +-8.6.
   std::optional<double> normal(double value) const;
 
   /// Change of the value with the normal.

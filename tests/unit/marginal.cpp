@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -103,6 +105,45 @@ TEST(Marginal, TablesAreAsGoodAsTheQuantiles) {
         EXPECT_NEAR(values[i], transform.value(normals[i]), 1e-7 * 20e3 * cov)
             << distribution_names()[static_cast<std::size_t>(distribution)] << " " << cov << " " << normals[i];
     }
+}
+
+TEST(Marginal, RepeatedAndExtremeDataHaveTheMiddleOfTheirProbabilities) {
+  Marginal data;
+  data.distribution = Distribution::empirical;
+  data.data = {3, 1, 2, 2, 4};  // items at probabilities of 10, 30, 50, 70, 90 %
+  const MarginalTransform transform(data);
+  EXPECT_NEAR(transform.normal(1).value(), -1.6448536269514722, 1e-9);  // of 5 %
+  EXPECT_NEAR(transform.normal(2).value(), -0.2533471031357997, 1e-9);  // of 40 %
+  EXPECT_NEAR(transform.normal(4).value(), 1.6448536269514722, 1e-9);   // of 95 %
+  EXPECT_NEAR(transform.normal(3).value(), 0.5244005127080407, 1e-9);   // of 70 %
+}
+
+TEST(Marginal, NarrowAndWideOnesAreRightOrRefused) {
+  const auto spread = [](Distribution distribution, double cov) {
+    return moments(MarginalTransform(marginal(distribution, cov))).y / (20e3 * cov);
+  };
+  // 1e-6: of the moments, which this rule takes from differences of squares of 1e-4 of the mean.
+  EXPECT_NEAR(spread(Distribution::gamma, 0.01), 1, 1e-6);  // where GSL's search fails
+  EXPECT_NEAR(spread(Distribution::gamma, 0.02), 1, 1e-6);
+  EXPECT_NEAR(spread(Distribution::weibull, 1e-3), 1, 1e-6);
+  EXPECT_NEAR(spread(Distribution::weibull, 1e-4), 1, 1e-5);
+  EXPECT_NEAR(spread(Distribution::beta, 3e-3), 1, 1e-6);
+  for (const auto& [distribution, cov] :
+       {std::pair{Distribution::gamma, 1e-3}, {Distribution::weibull, 1e-6}, {Distribution::beta, 1e-4}, {Distribution::beta, 1e-6}})
+    EXPECT_THROW(MarginalTransform(marginal(distribution, cov)), Error) << cov;
+}
+
+TEST(Marginal, TwoPeaksStayBetweenTheEndsOrAreRefused) {
+  Marginal peaks = marginal(Distribution::beta, 0.9);
+  peaks.low = 0;
+  peaks.high = 40e3;
+  std::vector<double> values;
+  for (double g = -8.6; g < 8.6; g += 0.001) values.push_back(g);
+  MarginalTransform(peaks).apply(values);
+  EXPECT_GE(*std::ranges::min_element(values), 0);
+  EXPECT_LE(*std::ranges::max_element(values), 40e3);
+  peaks.cov = 0.999;  // all but two values: the table is too coarse
+  EXPECT_THROW(MarginalTransform{peaks}, Error);
 }
 
 TEST(Marginal, RefusesWhatNoDistributionHas) {
