@@ -3,8 +3,10 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include "field/autocorrelation.hpp"
 
@@ -34,12 +36,30 @@ double integral(Integrand integrand, double from, double to) {
   return value;
 }
 
+/// Ends of the parts of [-1, 1]: the weight's kink, the cusp at no lag, the lags where binary noise and the spherical function end, and
+/// lags in steps of 4, so that no part is so long that the quadrature overlooks what lies at its end.
+std::vector<double> parts(double length, double k) {
+  std::vector<double> ends = {-1, 0, 1};
+  const auto add = [&](double lag) {
+    for (const double u : {lag / length - k, -lag / length - k})
+      if (u > -1 && u < 1) ends.push_back(u);
+  };
+  add(0);
+  add(4. / 3);
+  for (double lag = 1; lag < (k + 1) * length; lag *= 4) add(lag);
+  std::ranges::sort(ends);
+  return ends;
+}
+
 }  // namespace
 
 double average_covariance(Autocorrelation function, double smoothness, double length, double k) {
   gsl_set_error_handler_off();  // where rounding keeps the quadrature from its goal, it is at its best
   const Integrand integrand{function, smoothness, length, std::abs(k)};
-  return integral(integrand, -1, 0) + integral(integrand, 0, 1);
+  const std::vector<double> ends = parts(length, integrand.k);
+  double sum = 0;
+  for (std::size_t i = 1; i < ends.size(); ++i) sum += integral(integrand, ends[i - 1], ends[i]);
+  return sum;
 }
 
 }  // namespace slidezone

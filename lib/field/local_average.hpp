@@ -4,7 +4,7 @@
 //
 //   C_k = integral from -1 to 1 of (1 - |u|) rho(|k + u| T) du,
 //
-// and C_0 is the variance function of T. By adaptive quadrature of GSL to 1e-12, in halves so that a cusp at no lag is an end.
+// and C_0 is the variance function of T. By adaptive quadrature of GSL to 1e-12, in parts that no decay escapes.
 #pragma once
 
 #include "field/model.hpp"

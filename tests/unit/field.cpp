@@ -109,6 +109,16 @@ TEST(LocalAverage, AveragesOfAveragesAreAverages) {
   }
 }
 
+TEST(LocalAverage, CellsMayBeAnyNumberOfScalesLong) {
+  for (const double length : {1e-3, 30., 1e3, 1e5, 1e7}) {
+    const auto covariance = [&](double k) { return average_covariance(Autocorrelation::single_exponential, 0, length, k); };
+    const double decay = -std::expm1(-2 * length);
+    // In closed form; the first loses digits to cancellation where cells are short.
+    EXPECT_NEAR(covariance(0) / ((2 * length - decay) / (2 * length * length)), 1, length < 1 ? 1e-9 : 1e-7) << length;
+    EXPECT_NEAR(covariance(1) / (decay * decay / (4 * length * length)), 1, 1e-7) << length;  // 1e-13 of 2e-15 at the last
+  }
+}
+
 TEST(LocalAverage, FieldsHaveIt) {
   FieldModel averaged = model({1, 0.5, 7, 6}, Autocorrelation::single_exponential, 3, 1);
   averaged.average = Average::cell;
