@@ -40,7 +40,9 @@ CovarianceFactor jittered_factor(Eigen::MatrixXd covariance) {
     for (Eigen::Index k = 0; k < covariance.cols(); ++k)  // the upper half is as it was
       for (Eigen::Index i = k + 1; i < covariance.rows(); ++i) covariance(i, k) = covariance(k, i);
   }
-  throw Error(ExitCode::data, "the covariance matrix is not positive definite, even with 1e-8 added to its diagonal");
+  throw Error(ExitCode::data,
+              "the covariance matrix is not positive definite, even with 1e-8 added to its diagonal; with correlation_of = \"physical\" "
+              "there may be no Gaussian field behind the values");
 }
 
 }  // namespace slidezone

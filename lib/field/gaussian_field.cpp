@@ -16,7 +16,8 @@ namespace {
 
 constexpr double largest_matrix = 8e9;    // bytes that a method may take
 constexpr int longest_axis = 1000;        // cells along both axes up to which factors are cheaper than Fourier transforms
-constexpr std::size_t small_mesh = 2500;  // cells up to which a dense factor is a matter of seconds
+constexpr std::size_t small_mesh = 2500;  // cells up to which a dense factor is a matter of seconds,
+constexpr std::size_t longest_padding = std::size_t{1} << 17;  // and cheaper than Fourier transforms of this many
 
 std::string gigabytes(double bytes) { return format_brief(std::ceil(bytes / 1e8) / 10, 15) + " GB"; }
 
@@ -82,7 +83,7 @@ void GaussianField::choose(const FieldModel& model) {
     } catch (const Error&) {
       if (model.mesh.size() > small_mesh) throw;
       use_cholesky(model);
-      report_.reason = "no padding makes the circulant matrix positive, and the mesh is small";
+      report_.reason = "little padding does not make the circulant matrix positive, and the mesh is small";
     }
   }
 }
@@ -106,7 +107,9 @@ void GaussianField::use_separable(const FieldModel& model) {
 }
 
 void GaussianField::use_circulant(const FieldModel& model) {
-  const CirculantEmbedding& embedding = method_.emplace<CirculantEmbedding>(model);
+  const bool yields = model.method == Method::automatic && model.mesh.size() <= small_mesh;
+  const CirculantEmbedding& embedding =
+      yields ? method_.emplace<CirculantEmbedding>(model, longest_padding) : method_.emplace<CirculantEmbedding>(model);
   report_ = {"circulant", "", embedding.covariance_error(), 1};
 }
 

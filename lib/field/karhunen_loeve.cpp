@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
+#include "core/text.hpp"
 #include "field/cell_correlation.hpp"
 #include "field/mesh_covariance.hpp"
 
@@ -30,12 +32,24 @@ static double largest_loss(const KarhunenLoeve& expansion, double full_variance)
   return full_variance - variance.minCoeff();
 }
 
+/// Negative eigenvalues beyond rounding are not cut off: their matrix is no covariance.
+static void check_definiteness(const Eigen::VectorXd& lambda) {
+  constexpr double rounding = 1e-9;
+  if (lambda.minCoeff() >= -rounding * lambda.maxCoeff()) return;
+  throw Error(ExitCode::data,
+              "the covariance matrix is not positive definite: its least eigenvalue is " +
+                  format_brief(lambda.minCoeff() / lambda.maxCoeff(), 2) +
+                  " times the greatest; with correlation_of = \"physical\" there may be no Gaussian field behind the values");
+}
+
 KarhunenLoeve karhunen_loeve(const FieldModel& model) {
   using Solver = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
   KarhunenLoeve expansion;
   const bool is_product = CellCorrelation(model).is_separable();
   const Solver x(is_product ? row_covariance(model) : full_covariance(model));
   const Solver y(is_product ? column_covariance(model) : Eigen::MatrixXd::Ones(1, 1));
+  check_definiteness(x.eigenvalues());
+  check_definiteness(y.eigenvalues());
   expansion.modes_x = x.eigenvectors();
   expansion.modes_y = y.eigenvectors();
   keep_strongest(expansion, x.eigenvalues(), y.eigenvalues(), model.variance_kept);

@@ -197,6 +197,21 @@ TEST(Guards, PaddingGrowsUntilTheSpectrumIsNotNegative) {
                     full_covariance(elliptical(model({0.5, 0.5, 9, 8}, Autocorrelation::squared_exponential, 30, 5))), "wide");
 }
 
+TEST(Guards, SmallMeshesTurnToCholeskyBeforeLongPadding) {
+  const FieldModel wide = elliptical(model({0.5, 0.5, 9, 8}, Autocorrelation::squared_exponential, 3e4, 2e4), 0.3);
+  EXPECT_EQ(GaussianField(wide).report().method, "Cholesky");
+}
+
+TEST(Guards, NoMethodClipsWhatIsNoCovariance) {
+  // The Nataf model of this smooth correlation between values of a wide lognormal has eigenvalues well below 0.
+  FieldModel impossible = model({1, 1, 10, 5}, Autocorrelation::squared_exponential, 4, 3);
+  impossible.correlation_of = CorrelationOf::physical;
+  impossible.marginal.cov = 3;
+  ASSERT_LT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(full_covariance(impossible)).eigenvalues()(0), -1e-3);
+  for (const Method method : {Method::automatic, Method::cholesky, Method::karhunen_loeve})
+    EXPECT_THROW(GaussianField(with_method(impossible, method)), Error) << method_names()[static_cast<std::size_t>(method)];
+}
+
 TEST(Guards, RefusalsSayWhy) {
   const auto message = [](const std::function<void()>& act) -> std::string {
     try {
