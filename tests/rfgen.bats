@@ -220,8 +220,45 @@ moments_of() {
   printf '%s\t%s\t%s\n' x_m depth_m value_kPa 5.05 1 -31.5 >borings.tsv
   run rfgen scene.toml -n 1 -o fields.h5
   assert_failure 65
-  assert_output --partial "borings.tsv:2: found -3.15e+04, a value that the marginal distribution does not have"
+  assert_output --partial "borings.tsv:2: found -3.15e+04, which no sample can honour: values of this field are held between 4000 and inf"
   assert_not_exist fields.h5
+}
+
+# refused_borings MESSAGE TABLE: of scene.toml, with that text in its table of measurements.
+refused_borings() {
+  printf "$2" >borings.tsv
+  run rfgen scene.toml -n 1 -o fields.h5
+  assert_failure 65
+  assert_output --partial "$1"
+  assert_not_exist fields.h5
+}
+
+@test "tables of measurements that would be misread are refused" {
+  sed 's/^cell = "0.1 m"/&\nmeasurements = "borings.tsv"/' "$scene" >scene.toml
+  refused_borings "borings.tsv:1: found the column 'error', expected 'error_kPa'" 'x_m\tdepth_m\tvalue_kPa\terror\n5\t1\t25\t2\n'
+  refused_borings "borings.tsv:1: found the column 'error_Pa', expected 'error_kPa'" 'x_m\tdepth_m\tvalue_kPa\terror_Pa\n5\t1\t25\t2\n'
+  refused_borings "borings.tsv: found no measurement in the soils" 'x_m\tdepth_m\tvalue_kPa\n'
+  refused_borings "borings.tsv:2: found 1.2e+05, a value that the marginal distribution has less than once" 'x_m\tdepth_m\tvalue_kPa\n5\t1\t120\n'
+  sed -i 's/^cov = .*/cov = 0.5/' scene.toml
+  refused_borings "borings.tsv:2: found 3500, which no sample can honour: values of this field are held between 4000 and inf" 'x_m\tdepth_m\tvalue_kPa\n5\t1\t3.5\n'
+  refused_borings "borings.tsv:2: column 'value_kPa': found 'nan', expected a finite number" 'x_m\tdepth_m\tvalue_kPa\n5\t1\tnan\n'
+  refute_output --partial "borings.tsv:2: borings.tsv:2"
+}
+
+@test "measurements may end their lines as Windows does" {
+  sed 's/^cell = "0.1 m"/&\nmeasurements = "borings.tsv"/' "$scene" >scene.toml
+  printf 'x_m\tdepth_m\tvalue_kPa\r\n5.05\t0.55\t31.5\r\n' >borings.tsv
+  rfgen scene.toml -n 1 -o fields.h5
+  assert_near "$(h5_numbers fields.h5 /cohesion -s 0,44,50 -c 1,1,1)" 31500 1e-4
+}
+
+@test "a field honours the measurements in its own soils, and says how many" {
+  # The clay lies below 1 m: of three depths one is in it, two in the fill above. Cells of 0.25 m.
+  sed 's/^\[field.cohesion\]\|^\[soil.field.cohesion\]/&\nmeasurements = "boring.tsv"/' "$TOP/tests/scenes/varied.toml" >scene.toml
+  printf '%s\t%s\t%s\n' x_m depth_m value_kPa 1.1 0.1 4 1.1 0.6 3.5 1.1 1.4 6 >boring.tsv
+  run rfgen scene.toml --explain
+  assert_line "measurements honoured: 2"
+  assert_line "measurements honoured: 1"
 }
 
 # ---- samples ----

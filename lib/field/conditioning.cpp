@@ -38,6 +38,27 @@ double covariance(CellCorrelation& correlation, const FieldModel& model, std::si
   return (1 - nugget) * correlation(lag(b % columns, a % columns), lag(b / columns, a / columns)) + (a == b ? nugget : 0);
 }
 
+/// The standard normal of a measured value. One that the model has once in 10^9 cells says that the model or a unit is wrong.
+double normal_of(const Measurement& measurement, const CellTransform& transform) {
+  constexpr double largest = 6;
+  const std::optional<double> normal = transform.normal(measurement.value, measurement.cell);
+  if (!normal) fail(measurement, "found " + format_brief(measurement.value) + ", a value that the marginal distribution does not have");
+  if (std::abs(*normal) > largest)
+    fail(measurement, "found " + format_brief(measurement.value) +
+                          ", a value that the marginal distribution has less than once in 10^9 cells; check its unit, mean and cov");
+  return *normal;
+}
+
+/// The error of that normal.
+double error_of(const Measurement& measurement, const CellTransform& transform, double normal) {
+  if (measurement.error == 0) return 0;
+  const double slope = transform.slope(normal, measurement.cell);
+  if (!(slope > 0))
+    fail(measurement, "found an error of " + format_brief(measurement.error) +
+                          " at a value where the empirical distribution is level, so that it has no meaning; leave it out");
+  return measurement.error / slope;
+}
+
 void check_memory(std::size_t cells, std::size_t measurements) {
   constexpr double largest = 8e9;
   const double bytes = static_cast<double>(cells) * static_cast<double>(measurements) * sizeof(double);
@@ -52,10 +73,8 @@ void check_memory(std::size_t cells, std::size_t measurements) {
 Conditioning::Conditioning(const FieldModel& model, const Eigen::MatrixXd& correlations, std::span<const ConditionedField> fields) {
   for (std::size_t field = 0; field < fields.size(); ++field)
     for (const Measurement& measurement : without_repetition(fields[field].measurements)) {
-      const CellTransform& transform = fields[field].transform;
-      const std::optional<double> normal = transform.normal(measurement.value, measurement.cell);
-      if (!normal) fail(measurement, "found " + format_brief(measurement.value) + ", a value that the marginal distribution does not have");
-      data_.push_back({field, measurement.cell, *normal, measurement.error / transform.slope(*normal, measurement.cell)});
+      const double normal = normal_of(measurement, fields[field].transform);
+      data_.push_back({field, measurement.cell, normal, error_of(measurement, fields[field].transform, normal)});
     }
   const auto count = static_cast<Eigen::Index>(data_.size());
   const auto cells = static_cast<Eigen::Index>(model.mesh.size());

@@ -1,5 +1,6 @@
 #include "sampling/sampler.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <numbers>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "core/text.hpp"
 #include "io/file.hpp"
 #include "io/table.hpp"
+#include "scene/soil_at.hpp"
 #include "scene/varied_soil.hpp"
 
 namespace slidezone {
@@ -29,20 +31,41 @@ std::pair<std::string, double> written_unit(Parameter parameter) {
   return unit == "Pa" ? std::pair<std::string, double>{"_kPa", 1000} : std::pair<std::string, double>{"_kg_m3", 1};
 }
 
-/// One row of the table of measurements: its cell, and its value in SI units.
-Measurement measurement_of(const Table& table, std::size_t row, const Scene& scene, const FieldSpec& spec) {
+std::size_t cell_of(const FieldMesh& mesh, double x, double y, const std::string& where) {
+  try {
+    return containing_cells(mesh, std::vector{x}, std::vector{y}).front();
+  } catch (const Error& outside) {
+    throw Error(outside.code(), where + ": " + outside.what());
+  }
+}
+
+/// A column of errors under another name would be taken for none, and its values be met exactly.
+void check_columns(const Table& table, const std::string& ending) {
+  for (const std::string& column : table.columns())
+    if (column.starts_with("error") && column != "error" + ending)
+      throw Error(ExitCode::data, to_string(table.header()) + ": found the column '" + column + "', expected 'error" + ending + "'");
+}
+
+/// A measurement beyond the limits of the field would be moved to them in every sample.
+void check_limits(const Measurement& measurement, const Limits& limits) {
+  if (measurement.error == 0 && (measurement.value < limits.low || measurement.value > limits.high))
+    throw Error(ExitCode::data, measurement.where + ": found " + format_brief(measurement.value) +
+                                    ", which no sample can honour: values of this field are held between " + format_brief(limits.low) +
+                                    " and " + format_brief(limits.high));
+}
+
+/// One row of the table of measurements: its cell, and its value in SI units; nothing where its soil has no use of the field.
+std::optional<Measurement> measurement_of(const Table& table, std::size_t row, const Scene& scene, const FieldSpec& spec) {
   const auto [ending, unit] = written_unit(spec.parameter);
   const std::string where = to_string(table.where(row));
   const double x = table.number(row, "x_m"), depth = table.number(row, "depth_m");
   const double error = table.has_column("error" + ending) ? table.number(row, "error" + ending) : 0;
   if (depth < 0 || error < 0) throw Error(ExitCode::data, where + ": depth and error want at least 0");
   const double y = elevation(scene.slope.surface, x) - depth;
-  try {
-    const std::size_t cell = containing_cells(spec.model.mesh, std::vector{x}, std::vector{y}).front();
-    return {cell, unit * table.number(row, "value" + ending), unit * error, where};
-  } catch (const Error& outside) {
-    throw Error(outside.code(), where + ": " + outside.what());
-  }
+  const Measurement measurement{cell_of(spec.model.mesh, x, y, where), unit * table.number(row, "value" + ending), unit * error, where};
+  if (std::ranges::find(spec.soils, soil_at(scene.layers, x, y)) == spec.soils.end()) return std::nullopt;
+  check_limits(measurement, limits_of(spec, scene));
+  return measurement;
 }
 
 Conditions read_conditions(const Scene& scene, const FieldSpec& spec) {
@@ -51,8 +74,13 @@ Conditions read_conditions(const Scene& scene, const FieldSpec& spec) {
   const std::string bytes = read_input(path);
   const std::vector<std::string> columns = {"x_m", "depth_m", "value" + written_unit(spec.parameter).first};
   const Table table = parse_tsv(bytes, path, "slidezone-measurements 1", columns);
+  check_columns(table, written_unit(spec.parameter).first);
   Conditions conditions{{}, checksum(bytes)};
-  for (std::size_t row = 0; row < table.row_count(); ++row) conditions.measurements.push_back(measurement_of(table, row, scene, spec));
+  for (std::size_t row = 0; row < table.row_count(); ++row)
+    if (std::optional<Measurement> measurement = measurement_of(table, row, scene, spec))
+      conditions.measurements.push_back(std::move(*measurement));
+  if (conditions.measurements.empty())
+    throw Error(ExitCode::data, path + ": found no measurement in the soils that have the field " + spec.name);
   return conditions;
 }
 
@@ -96,9 +124,11 @@ RandomFields plain_fields_of(const Scene& scene, std::uint64_t seed) {
 static std::string explanation(const RandomFields& fields, std::size_t field, const StudyDesign& design) {
   const MethodReport& report = fields.report(field);
   const std::optional<LatinHypercube>& hypercube = fields.hypercube(field);
+  const std::size_t measurements = fields.plan(field).measurements.size();
   return "method: " + report.method + "\nreason: " + report.reason + "\nlargest error of the covariance, of variance 1: " +
          (report.covariance_error > 0 ? format_brief(report.covariance_error, 2) : "rounding") +
          "\nshare of the variance kept: " + format_brief(report.variance_kept, 6) + "\n" +
+         (measurements > 0 ? "measurements honoured: " + std::to_string(measurements) + "\n" : "") +
          (hypercube
               ? "Latin hypercube: blocks of " + std::to_string(design.block_size) + " samples on " + std::to_string(hypercube->modes()) +
                     " modes, which hold " + format_brief(hypercube->variance_share(), 3) + " of the variance\n"

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "scene/scene.hpp"
+#include "scene/soil_at.hpp"
 
 namespace slidezone {
 
@@ -15,10 +16,9 @@ static double lowest_elevation(const std::vector<Vec2>& polyline, double x, doub
   return std::min(elevation(polyline, x - room), elevation(polyline, x + room));
 }
 
-/// The last layer whose top lies above the point.
-static int layer_of(const std::vector<Layer>& layers, double x, double y) {
+std::size_t soil_at(const std::vector<Layer>& layers, double x, double y) {
   for (std::size_t layer = layers.size(); layer-- > 1;)
-    if (y < elevation(layers[layer].top, x)) return static_cast<int>(layer);
+    if (y < elevation(layers[layer].top, x)) return layer;
   return 0;
 }
 
@@ -44,7 +44,7 @@ MaterialPoints material_points(const Scene& scene) {
       const double y = (j + 0.5) * points.spacing_y;
       points.x.push_back(x);
       points.y.push_back(y);
-      points.layer.push_back(layer_of(scene.layers, x, y + margin * points.spacing_y));
+      points.layer.push_back(static_cast<int>(soil_at(scene.layers, x, y + margin * points.spacing_y)));
     }
   }
   if (points.x.empty())

@@ -86,6 +86,17 @@ TEST(Conditioning, RefusesWhatCannotBeMet) {
             "[field.cohesion]: b.tsv:3: found 2.6e+04, but b.tsv:2 gives the same cell 2.5e+04; give them an error, or take a finer mesh");
   EXPECT_EQ(message(plain, {{3, -1, 0, "b.tsv:2"}}),
             "[field.cohesion]: b.tsv:2: found -1, a value that the marginal distribution does not have");
+  EXPECT_EQ(message(plain, {{3, 100e3, 0, "b.tsv:2"}}),
+            "[field.cohesion]: b.tsv:2: found 1e+05, a value that the marginal distribution has less than once in 10^9 cells; check its "
+            "unit, mean and cov");
+  FieldModel empirical = plain;
+  empirical.marginal = {};
+  empirical.marginal.distribution = Distribution::empirical;
+  empirical.marginal.data = {14e3, 20e3, 20e3, 28e3};
+  EXPECT_EQ(message(empirical, {{3, 14e3, 1e3, "b.tsv:2"}}),
+            "[field.cohesion]: b.tsv:2: found an error of 1000 at a value where the empirical distribution is level, so that it has no "
+            "meaning; leave it out");
+  EXPECT_EQ(message(empirical, {{3, 14e3, 0, "b.tsv:2"}, {9, 20e3, 0, "b.tsv:3"}}), "");
   const FieldModel smooth = model({0.001, 0.001, 9, 4}, Autocorrelation::squared_exponential, 3, 1);
   EXPECT_EQ(message(smooth, {{3, 25e3, 0, "a"}, {4, 25e3, 0, "b"}, {5, 26e3, 0, "c"}, {6, 26e3, 0, "d"}}),
             "[field.cohesion]: the measurements lie too close together for this correlation; give them an error");
