@@ -348,6 +348,15 @@ refused_borings() {
   assert_near "$(tsv_value theory 2 <check.tsv)" 0.182656 1e-6 # sqrt(exp(zeta^2 gamma^2) - 1), zeta = .246220677, gamma = .735758882 of half a scale
 }
 
+@test "--check says what of the scene it leaves out" {
+  rfgen "$scene" --check -n 20 -o check.tsv
+  assert_file_contains check.tsv '^# drawn: as the scene says$'
+  sed 's/^cell = "0.1 m"/&\nmeasurements = "borings.tsv"/; s/^realizations = .*/&\ndesign = "antithetic"/' "$scene" >scene.toml
+  rfgen scene.toml --check -n 20 -o check.tsv
+  assert_file_contains check.tsv '^# drawn: without its measurements and the design "antithetic"$'
+  assert_schema field-check check.tsv
+}
+
 @test "--check sees what a cut-off expansion loses" {
   with 'method = "Karhunen-Loeve"\nvariance_kept = 0.5'
   rfgen with.toml --check -n 100 -o check.tsv

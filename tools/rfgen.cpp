@@ -47,9 +47,10 @@ all soils, [soil.field.cohesion] in one alone, correlated by [field.cross_correl
 Samples are numbered from 1. Sample K depends on the scene's fields, the seed and K alone: it is the same whenever, wherever and with
 whatever other samples it is drawn, also in the antithetic pairs or Latin hypercubes that [study] design may ask for.
 The scene chooses autocorrelation, marginal distribution and method; --explain says what that comes to, --check holds samples against
-it: each drawn by itself, without measurements. Where the scene names a table of measurements (data-schemas/measurements.json), all other
-samples honour them. Cohesions and friction angles below the least residual ones of the scene's soils are raised to them, friction
-angles above 89 degrees lowered to that, and counted.
+it: each drawn by itself, without measurements or design, as its output says; pipelines/plots/check.gp draws its table. Where the scene
+names a table of measurements (data-schemas/measurements.json), all other samples honour those in soils that have the field. Cohesions
+and friction angles below the least residual ones of the scene's soils are raised to them, friction angles above 89 degrees lowered to
+that, and counted.
 The result is an HDF5 file; data-schemas/fields.json lists what it holds.)";
 
 /// What is drawn: samples first ... first + count - 1.
@@ -98,6 +99,14 @@ void write_samples(const Draw& draw, const Scene& scene, RandomFields& fields, H
   file.write([&](std::string_view bytes) { output.write(bytes); });
 }
 
+/// What of the scene --check leaves out.
+std::string drawn(const Scene& scene) {
+  const bool has_measurements = std::ranges::any_of(scene.fields, [](const FieldSpec& spec) { return !spec.measurements.empty(); });
+  const std::string design = scene.study.design.design == Design::plain ? "" : "the design \"" + to_string(scene.study.design.design) + '"';
+  if (!has_measurements && design.empty()) return "as the scene says";
+  return "without " + (has_measurements ? "its measurements" + (design.empty() ? design : " and " + design) : design);
+}
+
 /// What --check prints: samples against theory, and a verdict.
 std::string check(const Scene& scene, const Draw& draw) {
   constexpr std::uint64_t least = 20;
@@ -112,6 +121,7 @@ std::string check(const Scene& scene, const Draw& draw) {
   origin.details = {{"scene", scene.checksum},
                     {"seed", std::to_string(draw.seed)},
                     {"first", std::to_string(draw.first)},
+                    {"drawn", drawn(scene)},
                     {"verdict", verdict_of(table)}};
   return to_tsv(table, origin);
 }
