@@ -147,6 +147,20 @@ h5_numbers() { h5dump -A 0 -y -w 1 -m %.17g -d "$2" "${@:3}" "$1" | sed -n 's/^ 
   assert_schema points points.h5
 }
 
+@test "with bedding it is the scales along x and y that cells are held against" {
+  # Upright bedding: 0.5 m along x and 8 m along y.
+  sed 's/^horizontal_scale = .*/horizontal_scale = "8 m"\nbedding_angle = "90 deg"/; s/^vertical_scale = .*/vertical_scale = "0.5 m"/; s/^cell = "0.1 m"/cell = ["0.5 m", "1 m"]/' "$scene" >upright.toml
+  rfgen upright.toml -n 1 -o upright.h5
+  run rfmap upright.toml upright.h5 -o points.h5
+  assert_success
+  assert_output --partial "rfmap: warning: the cells of the field cohesion, 0.5 m x 1 m, are longer than half its scales of fluctuation, 0.5 m and 8 m along x and y"
+  sed 's/^cell = \["0.5 m", "1 m"\]/cell = ["0.25 m", "1 m"]/' upright.toml >fine.toml
+  rfgen fine.toml -n 1 -o fine.h5
+  run rfmap fine.toml fine.h5 -o points.h5
+  assert_success
+  refute_output --partial "warning"
+}
+
 @test "points stand at the residual strength of their own soil, and are counted" {
   cat >layers.toml <<END
 $(sed '/^\[\[soil\]\]/,/^$/d' "$scene")

@@ -3,6 +3,7 @@
 //   rfmap pipelines/demo/scene.toml fields.h5 -o points.h5
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -60,14 +61,19 @@ void check_mesh(const FieldMesh& found, const FieldMesh& expected, const Hdf5Rea
                                     description(expected) + "; draw the fields from this scene");
 }
 
-/// Cells longer than half a scale of fluctuation lose what varies between them.
+/// Cells longer than half a scale of fluctuation lose what varies between them. Scales along x and y are those of the ellipse of the
+/// bedding; without bedding angle, the scales of the scene.
 void warn_of_coarse_cells(const FieldSpec& spec) {
   const Correlation& correlation = spec.model.correlation;
   const FieldMesh& mesh = spec.model.mesh;
-  if (mesh.cell_x > correlation.horizontal_scale / 2 || mesh.cell_y > correlation.vertical_scale / 2)
+  constexpr double room = 1e-9;  // for rounding
+  const double cosine = std::cos(correlation.bedding_angle), sine = std::sin(correlation.bedding_angle);
+  const double scale_x = 1 / std::hypot(cosine / correlation.horizontal_scale, sine / correlation.vertical_scale);
+  const double scale_y = 1 / std::hypot(sine / correlation.horizontal_scale, cosine / correlation.vertical_scale);
+  if (mesh.cell_x > scale_x / 2 * (1 + room) || mesh.cell_y > scale_y / 2 * (1 + room))
     warn("the cells of the field " + spec.name + ", " + format_brief(mesh.cell_x) + " m x " + format_brief(mesh.cell_y) +
-         " m, are longer than half its scales of fluctuation, " + format_brief(correlation.horizontal_scale) + " m and " +
-         format_brief(correlation.vertical_scale) + " m; a finer mesh would resolve them");
+         " m, are longer than half its scales of fluctuation, " + format_brief(scale_x) + " m and " + format_brief(scale_y) +
+         " m along x and y; a finer mesh would resolve them");
 }
 
 void write_points(const Scene& scene, const Hdf5Reader& fields, const MaterialPoints& points, Hdf5Writer& file, OutputFile& output) {
