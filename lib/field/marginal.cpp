@@ -61,7 +61,7 @@ Quantile beta(const Marginal& marginal) {
   constexpr double narrowest = 1e6;  // beyond, GSL's incomplete beta function loses its digits
   if (nu > narrowest)
     throw Error(ExitCode::data,
-                "a beta distribution whose standard deviation is some thousandth of its width is out of reach; "
+                "a beta distribution whose standard deviation is below some 1/2000 of its width is out of reach; "
                 "move its ends closer to the mean or take a truncated normal");
   const double alpha = m * nu, beta = (1 - m) * nu;
   return from_tails([=](double p) { return low + width * or_bisected(gsl_cdf_beta_Pinv(p, alpha, beta), gsl_cdf_beta_P, p, alpha, beta); },
