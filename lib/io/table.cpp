@@ -94,6 +94,8 @@ static void check_header(const std::vector<std::string>& columns, std::span<cons
 }
 
 Table parse_tsv(std::string_view bytes, const std::string& name, std::string_view schema, std::span<const std::string> required) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
   std::optional<Table> table;
   Location where{name, 0, 0};
   while (!bytes.empty()) {

@@ -56,7 +56,7 @@ std::string to_tsv(const Table& table, const Provenance& provenance);
 
 /// Parses one table or several concatenated ones. `name` is the file's name in messages; `schema` is what a "# schema:"
 /// line must say where there is one; `required` columns must be present (others may be, and all headers must be equal).
-/// An empty text is an error, a header without rows is not.
+/// An empty text is an error, a header without rows is not. Line ends of Windows and its byte-order mark are passed over.
 Table parse_tsv(std::string_view bytes, const std::string& name, std::string_view schema, std::span<const std::string> required);
 
 }  // namespace slidezone

@@ -175,6 +175,16 @@ TEST(Table, ReadsConcatenatedTables) {
   EXPECT_EQ(read.where(1).line, 8);
 }
 
+TEST(Table, ReadsWhatSpreadsheetsOfWindowsWrite) {
+  const std::vector<std::string> required = {"a"};
+  const Table read = parse_tsv(
+      "\xEF\xBB\xBF"
+      "a\tb\r\n1\t2\r\n",
+      "f.tsv", "s 1", required);
+  EXPECT_EQ(read.number(0, "a"), 1);
+  EXPECT_EQ(read.number(0, "b"), 2);
+}
+
 TEST(Table, NamesFileLineAndColumnOfAWrongField) {
   const std::vector<std::string> required = {"a"};
   const Table read = parse_tsv("a\tb\n1\t2\nnan\t3\n", "f.tsv", "s 1", required);
