@@ -8,7 +8,7 @@ load helper
   assert_equal "$(($(wc -l <out/verdicts.tsv) - 1))" "$(grep -c '^[0-9]' "$TOP/pipelines/paper/paper.tsv")"
   run cut -f 6 out/verdicts.tsv
   refute_output --partial nan  # every claim has its number
-  # From 1 m to 48 m the spread of 100 runs grows to 2.1 and 4.2 times (README): 30 show that it grows.
+  # From 1 m to 48 m the spread of 1000 runs grows to 1.8 and 3.5 times (README): 30 show that it grows.
   for quantity in influence_m runout_m; do
     run awk -F '\t' -v q=$quantity '$1 == "48m_0.25" && $3 == q && $4 == "sd_ratio" { print $10 }' out/verdicts.tsv
     assert_output "trend agrees"
