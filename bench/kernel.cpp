@@ -83,6 +83,7 @@ const std::vector<Feature> features = {
      [](Model& model) {
        model.nonlocal_softening = NonlocalSoftening{0.6, 2};
      }},
+    {"single_precision", [](Model& model) { model.method.precision = Precision::single_precision; }},
     {"B_bar", [](Model& model) { model.method.anti_locking = AntiLocking::b_bar; }},
     {"USL", [](Model& model) { model.method.update_order = UpdateOrder::usl; }},
     {"USF", [](Model& model) { model.method.update_order = UpdateOrder::usf; }},
@@ -96,8 +97,13 @@ void add_all(const Scene& scene) {
   const SoilTraits traits = soil_traits(whole);
   const std::vector<std::pair<std::string, InstructionSet>> sets = {
       {"baseline", InstructionSet::baseline}, {"AVX2", InstructionSet::avx2}, {"AVX-512", InstructionSet::avx512}};
-  for (const auto& [name, set] : sets)
-    if (set <= best_instruction_set()) add("whole_run/" + name, whole, {set, traits});
+  Model single = whole;
+  single.method.precision = Precision::single_precision;
+  for (const auto& [name, set] : sets) {
+    if (set > best_instruction_set()) continue;
+    add("whole_run/" + name, whole, {set, traits});
+    add("whole_run/" + name + "_single_precision", single, {set, traits});
+  }
   add("whole_run/nothing_left_out", whole, Kernel{best_instruction_set(), {}});
   for (const int times : {1, 2, 4, 10}) {
     const Model model = model_of(refined(scene, times));

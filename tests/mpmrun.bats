@@ -23,6 +23,9 @@ use_of() { mpmrun changed.toml --explain | awk -F'\t' -v part="$1" '$1 == part {
   assert_equal "$(use_of 'softening')" yes
   assert_equal "$(use_of 'friction, dilation, tension cut-off')" no
   assert_equal "$(use_of 'soil looked up for each point')" no
+  assert_equal "$(use_of 'precision')" double
+  edited '$a [method]\nprecision = "single"'
+  assert_equal "$(use_of 'precision')" single
   edited 's/^cohesion = .*/&\nfriction_angle = "10 deg"\nresidual_friction_angle = "10 deg"/'
   assert_equal "$(use_of 'friction, dilation, tension cut-off')" yes
   edited 's/^contact = .*/contact = "stick"/; /^friction = /d'

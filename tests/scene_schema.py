@@ -142,6 +142,8 @@ BAD = [
     ("layers", '"GIMP"', '@"linear"', "'shape_functions' \"linear\" leaves nodes at the rim next to no mass, and with update_order = \"USL\" no step"),
     ("layers", 'update_order = "USL"\nshape_functions = "GIMP"\nanti_locking = "B-bar"',
      'update_order = "USF"\nshape_functions = "GIMP"\nanti_locking = @"B-bar"', "'anti_locking' \"B-bar\" averages over cells at the end of a step"),
+    ("layers", '"single"', '@"half"', "'precision' wants double or single, found \"half\""),
+    ("layers", '"single"', '@32', "'precision' wants"),
     ("layers", '"0.1 1/s"', '@"-0.1 1/s"', "'damping_rate' wants at least 0 s-1"),
     ("layers", '"0.1 1/s"', '@0.1', "'damping_rate' wants a text with its unit"),
     # [nonlocal_softening]

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <concepts>
 #include <cstdint>
 
 #include "core/vector_loop.hpp"
@@ -47,12 +48,15 @@ SLIDEZONE_INLINE double portable_log(double x) {
 /// a b + c: rounded twice, the same on every processor; or once where the instruction set can, which is faster.
 struct RoundedTwice {
   SLIDEZONE_INLINE static double multiply_add(double a, double b, double c) { return a * b + c; }
+  SLIDEZONE_INLINE static float float_multiply_add(float a, float b, float c) { return a * b + c; }
 };
 struct RoundedOnce {
 #if defined(__FMA__)
   SLIDEZONE_INLINE static double multiply_add(double a, double b, double c) { return __builtin_fma(a, b, c); }
+  SLIDEZONE_INLINE static float float_multiply_add(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
 #else
   SLIDEZONE_INLINE static double multiply_add(double a, double b, double c) { return a * b + c; }
+  SLIDEZONE_INLINE static float float_multiply_add(float a, float b, float c) { return a * b + c; }
 #endif
 };
 
@@ -82,6 +86,28 @@ SLIDEZONE_INLINE double portable_exp(double x) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(series) + (std::bit_cast<std::uint64_t>(shifted) << 52));
 }
 
+/// The same with the 24 bits of a float, clamped to [exp(-87), exp(88)].
+template <class Rounding, std::same_as<float> Real>
+SLIDEZONE_INLINE Real portable_exp(Real x) {
+  constexpr auto multiply_add = Rounding::float_multiply_add;
+  constexpr float shift = 0x1.8p23f;
+  constexpr float log_two_high = 0x1.62ep-1f;  // 12 bits: its product with k is exact
+  constexpr float log_two_low = static_cast<float>(log_two - 0x1.62ep-1);
+  x = std::min(std::max(x, -87.f), 88.f);
+  const float shifted = multiply_add(x, static_cast<float>(1 / log_two), shift);
+  const float k = shifted - shift;
+  const float r = multiply_add(k, -log_two_low, multiply_add(k, -log_two_high, x));
+  float series = 1.f / 5040;
+  series = multiply_add(series, r, 1.f / 720);
+  series = multiply_add(series, r, 1.f / 120);
+  series = multiply_add(series, r, 1.f / 24);
+  series = multiply_add(series, r, 1.f / 6);
+  series = multiply_add(series, r, 1.f / 2);
+  series = multiply_add(series, r, 1);
+  series = multiply_add(series, r, 1);
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(series) + (std::bit_cast<std::uint32_t>(shifted) << 23));
+}
+
 SLIDEZONE_INLINE double portable_sine(double x) {
   const double t = x * x;
   double series = -1. / 1307674368000;  // 1/15!
@@ -107,11 +133,38 @@ SLIDEZONE_INLINE double portable_cosine(double x) {
   return 1 + t * series;
 }
 
+template <std::same_as<float> Real>
+SLIDEZONE_INLINE Real portable_sine(Real x) {
+  const float t = x * x;
+  float series = 1.f / 362880;  // 1/9!
+  series = series * t - 1.f / 5040;
+  series = series * t + 1.f / 120;
+  series = series * t - 1.f / 6;
+  return x + x * (t * series);
+}
+
+template <std::same_as<float> Real>
+SLIDEZONE_INLINE Real portable_cosine(Real x) {
+  const float t = x * x;
+  float series = -1.f / 3628800;  // 1/10!
+  series = series * t + 1.f / 40320;
+  series = series * t - 1.f / 720;
+  series = series * t + 1.f / 24;
+  series = series * t - 1.f / 2;
+  return 1 + t * series;
+}
+
 /// For |x| < pi/2, by tan 2a = 2 sin a cos a / (cos^2 a - sin^2 a).
-SLIDEZONE_INLINE double portable_tangent(double x) {
-  const double sine = portable_sine(0.5 * x);
-  const double cosine = portable_cosine(0.5 * x);
+template <class Real>
+SLIDEZONE_INLINE Real tangent_by_half(Real half) {
+  const Real sine = portable_sine(half);
+  const Real cosine = portable_cosine(half);
   return 2 * sine * cosine / ((cosine - sine) * (cosine + sine));
+}
+SLIDEZONE_INLINE double portable_tangent(double x) { return tangent_by_half(0.5 * x); }
+template <std::same_as<float> Real>
+SLIDEZONE_INLINE Real portable_tangent(Real x) {
+  return tangent_by_half(0.5f * x);
 }
 
 }  // namespace slidezone

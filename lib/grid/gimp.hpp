@@ -18,19 +18,23 @@ struct HalfSize {
 };
 
 /// The three numbers that give one axis' weights.
-struct AxisWeights {
-  double s = 0;
-  double q = 0;
-  double r = 0;
+template <class Real>
+struct AxisWeightsOf {
+  Real s = 0;
+  Real q = 0;
+  Real r = 0;
 };
+using AxisWeights = AxisWeightsOf<double>;
 
 /// Weights of a point at `in_cells` = x / h whose first node is `first` = floor(in_cells - half_size).
-/// `inverse_4l` is 1 / (4 l), or 0 for linear shape functions.
-constexpr AxisWeights axis_weights(double in_cells, double first, double half_size, double inverse_4l) {
-  const double s = in_cells - first;
-  const double reach = s + (half_size - 1);
-  const double o = reach > 0 ? reach : 0;
-  const double half_r = o * inverse_4l;
+/// `inverse_4l` is 1 / (4 l), or 0 for linear shape functions. The place itself is a double: only what is left of it within the
+/// cell may be rounded to less.
+template <class Real>
+constexpr AxisWeightsOf<Real> axis_weights(double in_cells, double first, Real half_size, Real inverse_4l) {
+  const Real s = static_cast<Real>(in_cells - first);
+  const Real reach = s + (half_size - 1);
+  const Real o = reach > 0 ? reach : 0;
+  const Real half_r = o * inverse_4l;
   return {s, o * half_r, half_r + half_r};
 }
 

@@ -17,14 +17,16 @@ namespace slidezone {
 namespace {  // compiled once per instruction set: no symbol may be shared between them
 
 /// The cell that point p lies in. Its weights tell: s counts cells from the first node that it reaches.
-[[gnu::always_inline]] inline int cell_of(const BlockWeights& weights, int p, int rows) {
+template <class Real>
+[[gnu::always_inline]] inline int cell_of(const BlockWeights<Real>& weights, int p, int rows) {
   return weights.base[p] + (weights.s_x[p] >= 1 ? rows : 0) + (weights.s_y[p] >= 1 ? 1 : 0);
 }
 
 /// Keeps the gradients for later, and sums V and V d over cells.
-[[gnu::always_inline]] inline void sum_dilation(const SweepData& data, auto block, const BlockWeights& weights,
-                                                const BlockGradients& gradients) {
-  const Dilation& dilation = *data.dilation;
+template <class Real>
+[[gnu::always_inline]] inline void sum_dilation(const SweepData<Real>& data, auto block, const BlockWeights<Real>& weights,
+                                                const BlockGradients<Real>& gradients) {
+  const Dilation<Real>& dilation = *data.dilation;
   for (int p = 0; p < block.count; ++p) {
     const std::size_t point = block.first + static_cast<std::size_t>(p);
     const int cell = cell_of(weights, p, data.storage.rows);
@@ -39,13 +41,14 @@ namespace {  // compiled once per instruction set: no symbol may be shared betwe
 }
 
 /// The kept gradients with the mean volume change of their cells.
-[[gnu::always_inline]] inline void mean_gradients(const SweepData& data, auto block, BlockGradients& gradients) {
-  const Dilation& dilation = *data.dilation;
+template <class Real>
+[[gnu::always_inline]] inline void mean_gradients(const SweepData<Real>& data, auto block, BlockGradients<Real>& gradients) {
+  const Dilation<Real>& dilation = *data.dilation;
   for (int p = 0; p < block.count; ++p) {
     const std::size_t point = block.first + static_cast<std::size_t>(p);
     const int cell = dilation.cell[point];
-    const double mean = dilation.cell_dilation[cell] / dilation.cell_volume[cell];
-    const double half = 0.5 * (mean - (dilation.xx[point] + dilation.yy[point]));
+    const Real mean = dilation.cell_dilation[cell] / dilation.cell_volume[cell];
+    const Real half = Real{0.5} * (mean - (dilation.xx[point] + dilation.yy[point]));
     gradients[p].xx = dilation.xx[point] + half;
     gradients[p].yy = dilation.yy[point] + half;
     gradients[p].xy = dilation.xy[point];
@@ -54,28 +57,31 @@ namespace {  // compiled once per instruction set: no symbol may be shared betwe
 }
 
 /// Sums V and V p over the cells of the moved points.
-[[gnu::always_inline]] inline void sum_pressure(const SweepData& data, auto block, const BlockWeights& weights) {
-  const Dilation& dilation = *data.dilation;
+template <class Real>
+[[gnu::always_inline]] inline void sum_pressure(const SweepData<Real>& data, auto block, const BlockWeights<Real>& weights) {
+  const Dilation<Real>& dilation = *data.dilation;
   for (int p = 0; p < block.count; ++p) {
     const std::size_t point = block.first + static_cast<std::size_t>(p);
     const int cell = cell_of(weights, p, data.storage.rows);
     dilation.cell[point] = cell;
     dilation.cell_now_volume[cell] += data.volume[point];
-    dilation.cell_pressure[cell] += data.volume[point] * 0.5 * (data.xx[point] + data.yy[point]);
+    dilation.cell_pressure[cell] += data.volume[point] * Real{0.5} * (data.xx[point] + data.yy[point]);
   }
 }
 
 /// Normal stresses with the mean of their cells.
+template <class Real>
 struct MeanStress {
-  double xx[block_size], yy[block_size];
+  Real xx[block_size], yy[block_size];
 };
 
-[[gnu::always_inline]] inline void mean_stress(const SweepData& data, auto block, MeanStress& mean) {
-  const Dilation& dilation = *data.dilation;
+template <class Real>
+[[gnu::always_inline]] inline void mean_stress(const SweepData<Real>& data, auto block, MeanStress<Real>& mean) {
+  const Dilation<Real>& dilation = *data.dilation;
   for (int p = 0; p < block.count; ++p) {
     const std::size_t point = block.first + static_cast<std::size_t>(p);
     const int cell = dilation.cell[point];
-    const double difference = dilation.cell_pressure[cell] / dilation.cell_now_volume[cell] - 0.5 * (data.xx[point] + data.yy[point]);
+    const Real difference = dilation.cell_pressure[cell] / dilation.cell_now_volume[cell] - Real{0.5} * (data.xx[point] + data.yy[point]);
     mean.xx[p] = data.xx[point] + difference;
     mean.yy[p] = data.yy[point] + difference;
   }

@@ -11,25 +11,25 @@ namespace {  // compiled once per instruction set: no symbol may be shared betwe
 
 /// Sums for the nodes of one base while consecutive points share it, in the form of Stencil's differences; given to the nodes
 /// when the base changes. Right for any order of points, fast when they are nearly sorted by base.
-template <class NodeRow, int lanes_a_node>
+template <class Real, class NodeRow, int lanes_a_node>
 struct Accumulator {
   NodeRow sum{};
   NodeRow sum_first{};
   NodeRow sum_second{};
 
   /// N_x values
-  [[gnu::always_inline]] void add_values(double s, double q, NodeRow values) {
+  [[gnu::always_inline]] void add_values(Real s, Real q, NodeRow values) {
     sum = sum + values;
     sum_first = fused(s, values, sum_first);
     sum_second = fused(q, values, sum_second);
   }
   /// h dN_x/dx values
-  [[gnu::always_inline]] void add_slopes(double r, NodeRow values) {
+  [[gnu::always_inline]] void add_slopes(Real r, NodeRow values) {
     sum_first = sum_first + values;
     sum_second = fused(r, values, sum_second);
   }
-  [[gnu::always_inline]] void flush(double* nodes, int base, std::size_t rows) {
-    double* to = nodes + lanes_a_node * static_cast<std::size_t>(base);
+  [[gnu::always_inline]] void flush(Real* nodes, int base, std::size_t rows) {
+    Real* to = nodes + lanes_a_node * static_cast<std::size_t>(base);
     const std::size_t next = lanes_a_node * rows;
     const NodeRow rest = sum_first - sum_second;
     (NodeRow::load(to) + (sum - rest)).store(to);
@@ -38,15 +38,19 @@ struct Accumulator {
     *this = {};
   }
 };
-using PairAccumulator = Accumulator<Row, 2>;
-using MassAccumulator = Accumulator<MassRow, 1>;
+template <class Real>
+using PairAccumulator = Accumulator<Real, Row<Real>, 2>;
+template <class Real>
+using MassAccumulator = Accumulator<Real, MassRow<Real>, 1>;
 
 /// In-plane stresses of a block's points, as the nodes feel them.
+template <class Real>
 struct BlockStress {
-  const double *xx, *yy, *xy;
+  const Real *xx, *yy, *xy;
 };
 
-[[gnu::always_inline]] inline BlockStress stress_of(const SweepData& data, auto block) {
+template <class Real>
+[[gnu::always_inline]] inline BlockStress<Real> stress_of(const SweepData<Real>& data, auto block) {
   return {data.xx + block.first, data.yy + block.first, data.xy + block.first};
 }
 
@@ -54,19 +58,21 @@ struct BlockStress {
 enum class Give { momentum, force, both };
 
 /// What a block's points give to the nodes.
+template <class Real>
 struct BlockGifts {
-  BlockPairs momentum;  // m v
-  BlockPairs along_x;   // -V / h_x (s_xx, s_xy)
-  BlockPairs along_y;   // -V / h_y (s_xy, s_yy)
+  BlockPairs<Real> momentum;  // m v
+  BlockPairs<Real> along_x;   // -V / h_x (s_xx, s_xy)
+  BlockPairs<Real> along_y;   // -V / h_y (s_xy, s_yy)
 };
 
-template <Give give>
-[[gnu::always_inline]] inline void prepare_gifts(const SweepData& data, auto block, BlockStress stress, BlockGifts& gifts) {
-  const double* velocity = data.velocity + 2 * block.first;
-  const double* volume = data.volume + block.first;
-  const double* mass = data.mass + block.first;
-  const double inverse_x = 1 / data.grid.cell_x;
-  const double inverse_y = 1 / data.grid.cell_y;
+template <Give give, class Real>
+[[gnu::always_inline]] inline void prepare_gifts(const SweepData<Real>& data, auto block, BlockStress<Real> stress,
+                                                 BlockGifts<Real>& gifts) {
+  const Real* velocity = data.velocity + 2 * block.first;
+  const Real* volume = data.volume + block.first;
+  const Real* mass = data.mass + block.first;
+  const Real inverse_x = static_cast<Real>(1 / data.grid.cell_x);
+  const Real inverse_y = static_cast<Real>(1 / data.grid.cell_y);
   if constexpr (give != Give::force) {
 #pragma GCC ivdep
     for (int p = 0; p < block.count; ++p) {
@@ -77,8 +83,8 @@ template <Give give>
   if constexpr (give != Give::momentum) {
 #pragma GCC ivdep
     for (int p = 0; p < block.count; ++p) {
-      const double force_x = -volume[p] * inverse_x;
-      const double force_y = -volume[p] * inverse_y;
+      const Real force_x = -volume[p] * inverse_x;
+      const Real force_y = -volume[p] * inverse_y;
       gifts.along_x[2 * p] = force_x * stress.xx[p];
       gifts.along_x[2 * p + 1] = force_x * stress.xy[p];
       gifts.along_y[2 * p] = force_y * stress.xy[p];
@@ -88,19 +94,20 @@ template <Give give>
 }
 
 /// Mass and momentum m v, and internal force -V stress . grad N, to the nodes.
-template <Give give>
-[[gnu::always_inline]] inline void map_to_nodes(const SweepData& data, auto block, const BlockWeights& weights, BlockStress stress) {
+template <Give give, class Real>
+[[gnu::always_inline]] inline void map_to_nodes(const SweepData<Real>& data, auto block, const BlockWeights<Real>& weights,
+                                                BlockStress<Real> stress) {
   constexpr bool gives_momentum = give != Give::force;
   constexpr bool gives_force = give != Give::momentum;
-  BlockGifts gifts;
+  BlockGifts<Real> gifts;
   prepare_gifts<give>(data, block, stress, gifts);
-  const double* mass = data.mass + block.first;
-  double* node_momentum = data.node_momentum;
-  double* node_force = data.node_force;
-  double* node_mass = data.node_mass;
+  const Real* mass = data.mass + block.first;
+  Real* node_momentum = data.node_momentum;
+  Real* node_force = data.node_force;
+  Real* node_mass = data.node_mass;
   const auto rows = static_cast<std::size_t>(data.storage.rows);
-  PairAccumulator momentum_sums, force_sums;
-  MassAccumulator mass_sums;
+  PairAccumulator<Real> momentum_sums, force_sums;
+  MassAccumulator<Real> mass_sums;
   int base = weights.base[0];
   const auto flush = [&]() __attribute__((always_inline)) {
     if constexpr (gives_momentum) momentum_sums.flush(node_momentum, base, rows);
@@ -112,9 +119,9 @@ template <Give give>
       flush();
       base = weights.base[p];
     }
-    const double s_x = weights.s_x[p];
-    const double q_x = weights.q_x[p];
-    const Row values_y = row_values(weights.s_y[p], weights.q_y[p]);
+    const Real s_x = weights.s_x[p];
+    const Real q_x = weights.q_x[p];
+    const Row<Real> values_y = row_values(weights.s_y[p], weights.q_y[p]);
     if constexpr (gives_momentum) {
       momentum_sums.add_values(s_x, q_x, values_y * repeated(gifts.momentum + 2 * p));
       mass_sums.add_values(s_x, q_x, mass[p] * mass_values(weights.s_y[p], weights.q_y[p]));
@@ -128,11 +135,12 @@ template <Give give>
 }
 
 /// Momentum of moved points to the nodes, for the second time in a step.
-[[gnu::always_inline]] inline void map_momentum(const SweepData& data, auto block, const BlockWeights& weights,
-                                                const BlockPairs& momentum) {
-  double* node_new_momentum = data.node_new_momentum;
+template <class Real>
+[[gnu::always_inline]] inline void map_momentum(const SweepData<Real>& data, auto block, const BlockWeights<Real>& weights,
+                                                const BlockPairs<Real>& momentum) {
+  Real* node_new_momentum = data.node_new_momentum;
   const auto rows = static_cast<std::size_t>(data.storage.rows);
-  PairAccumulator sums;
+  PairAccumulator<Real> sums;
   int base = weights.base[0];
   for (int p = 0; p < block.count; ++p) {
     if (weights.base[p] != base) {

@@ -23,9 +23,10 @@ struct LastBlock {
 };
 
 /// Shape functions of a block's points, struct of arrays.
+template <class Real>
 struct BlockWeights {
-  double s_x[block_size], q_x[block_size], r_x[block_size];
-  double s_y[block_size], q_y[block_size], r_y[block_size];
+  Real s_x[block_size], q_x[block_size], r_x[block_size];
+  Real s_y[block_size], q_y[block_size], r_y[block_size];
   int base[block_size];  // index of the first node that the point reaches
 };
 
@@ -45,11 +46,13 @@ struct FirstNodes {
   bool is_lost;   // some point reaches beyond the box, or is not finite; its first node is kept within the box all the same
 };
 
-[[gnu::always_inline]] inline FirstNodes weigh_axis(const double* position, auto block, Axis axis, double* s, double* q, double* r) {
+template <class Real>
+[[gnu::always_inline]] inline FirstNodes weigh_axis(const double* position, auto block, Axis axis, Real* s, Real* q, Real* r) {
   if (block.count < 1) __builtin_unreachable();  // blocks are never empty
   FirstNodes first;
   const double half_size = axis.half_size;
-  const double over_4l = inverse_4l(half_size);
+  const Real half = static_cast<Real>(half_size);
+  const Real over_4l = static_cast<Real>(inverse_4l(half_size));
   const double low = axis.low;
   const double high = axis.high;
   const double above = high + 1;
@@ -60,7 +63,7 @@ struct FirstNodes {
     const double place = in_cells - half_size;
     const double at_least = place > low ? place : low;
     const int node = static_cast<int>(at_least < high ? at_least : high);
-    const AxisWeights weights = axis_weights(in_cells, node, half_size, over_4l);
+    const AxisWeightsOf<Real> weights = axis_weights(in_cells, node, half, over_4l);
     first.node[p] = node;
     s[p] = weights.s;
     q[p] = weights.q;
@@ -83,7 +86,8 @@ struct Reached {
   bool is_lost;
 };
 
-[[gnu::always_inline]] inline Reached weigh(const SweepData& data, auto block, BlockWeights& weights) {
+template <class Real>
+[[gnu::always_inline]] inline Reached weigh(const SweepData<Real>& data, auto block, BlockWeights<Real>& weights) {
   constexpr int reach = 3;  // nodes along each axis
   const FirstNodes in_x =
       weigh_axis(data.x + block.first, block, {1 / data.grid.cell_x, data.half_size_x, data.box.first_column, data.box.last_column - reach},

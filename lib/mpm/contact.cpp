@@ -39,7 +39,8 @@ static Vec2 normal(Vec2 soil, double base_y) {
   return length > 0 ? Vec2{soil.x / length, y / length} : Vec2{0, -1};
 }
 
-ContactNormals contact_normals(const Points& points, const GridShape& grid, HalfSize half_size, double base_density) {
+template <class Real>
+ContactNormals contact_normals(const PointsOf<Real>& points, const GridShape& grid, HalfSize half_size, double base_density) {
   const auto columns = static_cast<std::size_t>(NodeStorage(grid).columns);
   ContactNormals contact{std::vector<Vec2>(columns), std::vector<Vec2>(columns)};
   const double nearest = (1 + half_size.y) * grid.cell_y;  // points above do not reach the base
@@ -51,5 +52,8 @@ ContactNormals contact_normals(const Points& points, const GridShape& grid, Half
   for (Vec2& gradient : contact.below) gradient = normal(gradient, 0);
   return contact;
 }
+
+template ContactNormals contact_normals(const PointsOf<double>&, const GridShape&, HalfSize, double);
+template ContactNormals contact_normals(const PointsOf<float>&, const GridShape&, HalfSize, double);
 
 }  // namespace slidezone

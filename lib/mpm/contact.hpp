@@ -18,6 +18,7 @@
 namespace slidezone {
 
 /// Normals at the nodes of the base, from the points in their present positions.
-ContactNormals contact_normals(const Points& points, const GridShape& grid, HalfSize half_size, double base_density);
+template <class Real>
+ContactNormals contact_normals(const PointsOf<Real>& points, const GridShape& grid, HalfSize half_size, double base_density);
 
 }  // namespace slidezone

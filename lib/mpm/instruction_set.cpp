@@ -2,9 +2,12 @@
 
 namespace slidezone {
 
-Sweeps sweeps_baseline(SoilTraits traits);
-Sweeps sweeps_avx2(SoilTraits traits);
-Sweeps sweeps_avx512(SoilTraits traits);
+Sweeps<double> sweeps_baseline_double(SoilTraits traits);
+Sweeps<double> sweeps_avx2_double(SoilTraits traits);
+Sweeps<double> sweeps_avx512_double(SoilTraits traits);
+Sweeps<float> sweeps_baseline_float(SoilTraits traits);
+Sweeps<float> sweeps_avx2_float(SoilTraits traits);
+Sweeps<float> sweeps_avx512_float(SoilTraits traits);
 
 InstructionSet best_instruction_set() {
   __builtin_cpu_init();
@@ -15,16 +18,19 @@ InstructionSet best_instruction_set() {
   return has_avx2 ? InstructionSet::avx2 : InstructionSet::baseline;
 }
 
-Sweeps sweeps(InstructionSet set, SoilTraits traits) {
-  switch (set) {
-    case InstructionSet::avx512:
-      return sweeps_avx512(traits);
-    case InstructionSet::avx2:
-      return sweeps_avx2(traits);
-    case InstructionSet::baseline:
-      break;
-  }
-  return sweeps_baseline(traits);
+template <class Real>
+using ForTraits = Sweeps<Real> (*)(SoilTraits);
+
+template <>
+Sweeps<double> sweeps(InstructionSet set, SoilTraits traits) {
+  constexpr ForTraits<double> by_set[] = {sweeps_baseline_double, sweeps_avx2_double, sweeps_avx512_double};
+  return by_set[static_cast<std::size_t>(set)](traits);
+}
+
+template <>
+Sweeps<float> sweeps(InstructionSet set, SoilTraits traits) {
+  constexpr ForTraits<float> by_set[] = {sweeps_baseline_float, sweeps_avx2_float, sweeps_avx512_float};
+  return by_set[static_cast<std::size_t>(set)](traits);
 }
 
 }  // namespace slidezone

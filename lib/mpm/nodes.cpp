@@ -7,21 +7,24 @@
 
 namespace slidezone {
 
-Nodes::Nodes(NodeStorage where)
+template <class Real>
+NodesOf<Real>::NodesOf(NodeStorage where)
     : storage(where), mass(where.count()), velocity(2 * where.count()), change(2 * where.count()), new_velocity(2 * where.count()) {}
 
 /// Calls act(first, count) for the run of nodes in each column of the box.
-template <class Act>
-static void for_each_column(const Nodes& nodes, const NodeBox& box, Act act) {
+template <class Real, class Act>
+static void for_each_column(const NodesOf<Real>& nodes, const NodeBox& box, Act act) {
   for (int column = box.first_column; column < box.last_column; ++column)
     act(nodes.storage.index(column, box.first_row), static_cast<std::size_t>(box.last_row - box.first_row));
 }
 
-static void clear(std::vector<double>& values, std::size_t first, std::size_t count) {
-  std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(first), count, 0.0);
+template <class Real>
+static void clear(std::vector<Real>& values, std::size_t first, std::size_t count) {
+  std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(first), count, Real{0});
 }
 
-void clear_sums(Nodes& nodes, const NodeBox& box) {
+template <class Real>
+void clear_sums(NodesOf<Real>& nodes, const NodeBox& box) {
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
     clear(nodes.mass, first, count);
     clear(nodes.velocity, 2 * first, 2 * count);
@@ -29,11 +32,13 @@ void clear_sums(Nodes& nodes, const NodeBox& box) {
   });
 }
 
-void clear_new_sums(Nodes& nodes, const NodeBox& box) {
+template <class Real>
+void clear_new_sums(NodesOf<Real>& nodes, const NodeBox& box) {
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) { clear(nodes.new_velocity, 2 * first, 2 * count); });
 }
 
-std::vector<double> new_velocities_in(const Nodes& nodes, const NodeBox& box) {
+template <class Real>
+std::vector<double> new_velocities_in(const NodesOf<Real>& nodes, const NodeBox& box) {
   std::vector<double> result;
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
     const auto begin = nodes.new_velocity.begin() + static_cast<std::ptrdiff_t>(2 * first);
@@ -42,11 +47,14 @@ std::vector<double> new_velocities_in(const Nodes& nodes, const NodeBox& box) {
   return result;
 }
 
-void set_new_velocities(Nodes& nodes, const NodeBox& box, const std::vector<double>& velocities) {
+template <class Real>
+void set_new_velocities(NodesOf<Real>& nodes, const NodeBox& box, const std::vector<double>& velocities) {
   auto from = velocities.begin();
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
-    std::copy_n(from, 2 * count, nodes.new_velocity.begin() + static_cast<std::ptrdiff_t>(2 * first));
-    from += static_cast<std::ptrdiff_t>(2 * count);
+    const auto next = from + static_cast<std::ptrdiff_t>(2 * count);
+    std::transform(from, next, nodes.new_velocity.begin() + static_cast<std::ptrdiff_t>(2 * first),
+                   [](double velocity) { return static_cast<Real>(velocity); });
+    from = next;
   });
 }
 
@@ -54,17 +62,17 @@ void set_new_velocities(Nodes& nodes, const NodeBox& box, const std::vector<doub
 
 /// Signs that a mirror gives to the components of a velocity, momentum or force.
 struct Mirror {
-  double x;
-  double y;
+  float x;  // exact in any precision
+  float y;
 };
 
-static Mirror mirror_of(Wall wall) { return {-1, wall == Wall::stick ? -1.0 : 1.0}; }
-static Mirror mirror_of(BaseContact contact) { return {contact == BaseContact::stick ? -1.0 : 1.0, -1}; }
+static Mirror mirror_of(Wall wall) { return {-1, wall == Wall::stick ? -1.f : 1.f}; }
+static Mirror mirror_of(BaseContact contact) { return {contact == BaseContact::stick ? -1.f : 1.f, -1}; }
 
 /// Calls act(behind, before, mirror) for each padding node in the box that lies behind a closed side and the node that it
 /// mirrors.
-template <class Act>
-static void for_each_image(const Nodes& nodes, const NodeBox& box, const NodeSettings& settings, Act act) {
+template <class Real, class Act>
+static void for_each_image(const NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings, Act act) {
   const auto columns = [&](int behind, int before, Wall wall) {
     if (wall == Wall::open || behind < box.first_column || behind >= box.last_column) return;
     for (int row = box.first_row; row < box.last_row; ++row)
@@ -80,13 +88,15 @@ static void for_each_image(const Nodes& nodes, const NodeBox& box, const NodeSet
   columns(right + 1, right - 1, settings.boundaries.right);
 }
 
-static void fold_pairs(std::vector<double>& pairs, std::size_t behind, std::size_t before, Mirror mirror) {
+template <class Real>
+static void fold_pairs(std::vector<Real>& pairs, std::size_t behind, std::size_t before, Mirror mirror) {
   pairs[2 * before] += mirror.x * pairs[2 * behind];
   pairs[2 * before + 1] += mirror.y * pairs[2 * behind + 1];
   pairs[2 * behind] = pairs[2 * behind + 1] = 0;
 }
 
-static void reflect_pairs(std::vector<double>& pairs, std::size_t behind, std::size_t before, Mirror mirror) {
+template <class Real>
+static void reflect_pairs(std::vector<Real>& pairs, std::size_t behind, std::size_t before, Mirror mirror) {
   pairs[2 * behind] = mirror.x * pairs[2 * before];
   pairs[2 * behind + 1] = mirror.y * pairs[2 * before + 1];
 }
@@ -94,40 +104,46 @@ static void reflect_pairs(std::vector<double>& pairs, std::size_t behind, std::s
 // ---- walls and base as constraints --------------------------------------------------------------------------------------
 
 /// Calls act(node) for the nodes on the left wall, on the right wall, and on the base.
-template <class Act>
-static void for_nodes_of_column(const Nodes& nodes, const NodeBox& box, int column, Act act) {
+template <class Real, class Act>
+static void for_nodes_of_column(const NodesOf<Real>& nodes, const NodeBox& box, int column, Act act) {
   if (column < box.first_column || column >= box.last_column) return;
   for (int row = box.first_row; row < box.last_row; ++row) act(nodes.storage.index(column, row));
 }
-template <class Act>
-static void for_nodes_left(const Nodes& nodes, const NodeBox& box, Act act) {
+template <class Real, class Act>
+static void for_nodes_left(const NodesOf<Real>& nodes, const NodeBox& box, Act act) {
   for_nodes_of_column(nodes, box, NodeStorage::padding, act);
 }
-template <class Act>
-static void for_nodes_right(const Nodes& nodes, const NodeBox& box, const GridShape& grid, Act act) {
+template <class Real, class Act>
+static void for_nodes_right(const NodesOf<Real>& nodes, const NodeBox& box, const GridShape& grid, Act act) {
   for_nodes_of_column(nodes, box, grid.cells_x + NodeStorage::padding, act);
 }
-template <class Act>
-static void for_nodes_on_base(const Nodes& nodes, const NodeBox& box, Act act) {
+template <class Real, class Act>
+static void for_nodes_on_base(const NodesOf<Real>& nodes, const NodeBox& box, Act act) {
   if (box.first_row > NodeStorage::padding) return;
   for (int column = box.first_column; column < box.last_column; ++column) act(nodes.storage.index(column, NodeStorage::padding));
 }
 
 /// A node's velocity as the boundaries see it.
+template <class Real>
 struct NodeVelocity {
-  double& x;
-  double& y;
+  Real& x;
+  Real& y;
 };
 
-static NodeVelocity velocity_of(std::vector<double>& pairs, std::size_t node) { return {pairs[2 * node], pairs[2 * node + 1]}; }
+template <class Real>
+static NodeVelocity<Real> velocity_of(std::vector<Real>& pairs, std::size_t node) {
+  return {pairs[2 * node], pairs[2 * node + 1]};
+}
 
-static void hold_at_wall(NodeVelocity velocity, Wall wall) {
+template <class Real>
+static void hold_at_wall(NodeVelocity<Real> velocity, Wall wall) {
   if (wall == Wall::open) return;
   velocity.x = 0;
   if (wall == Wall::stick) velocity.y = 0;
 }
 
-static void hold_at_base(NodeVelocity velocity, BaseContact contact) {
+template <class Real>
+static void hold_at_base(NodeVelocity<Real> velocity, BaseContact contact) {
   if (contact == BaseContact::two_body) return;
   if (contact == BaseContact::stick) velocity.x = 0;
   if (contact != BaseContact::unilateral || velocity.y < 0) velocity.y = 0;
@@ -139,15 +155,16 @@ static double rubbed(double along, double pressed, double friction) {
 }
 
 /// v = momentum / m + dv, dv = dt (f / m + g), in place, for the nodes of one column.
-SLIDEZONE_VECTOR_LOOP static void balance_momentum(const double* mass, double* velocity, double* change, std::size_t count, Vec2 gravity,
-                                                   double least_mass, double step) {
+template <class Real>
+SLIDEZONE_VECTOR_LOOP static void balance_momentum(const Real* mass, Real* velocity, Real* change, std::size_t count, Real gravity_x,
+                                                   Real gravity_y, Real least_mass, Real step) {
 #pragma GCC ivdep
   for (std::size_t k = 0; k < count; ++k) {
     const bool is_filled = mass[k] > least_mass;
-    const double inverse = is_filled ? 1 / mass[k] : 0;
-    const double fall = is_filled ? step : 0;
-    const double change_x = step * inverse * change[2 * k] + fall * gravity.x;
-    const double change_y = step * inverse * change[2 * k + 1] + fall * gravity.y;
+    const Real inverse = is_filled ? 1 / mass[k] : 0;
+    const Real fall = is_filled ? step : 0;
+    const Real change_x = step * inverse * change[2 * k] + fall * gravity_x;
+    const Real change_y = step * inverse * change[2 * k + 1] + fall * gravity_y;
     change[2 * k] = change_x;
     change[2 * k + 1] = change_y;
     velocity[2 * k] = velocity[2 * k] * inverse + change_x;
@@ -156,10 +173,11 @@ SLIDEZONE_VECTOR_LOOP static void balance_momentum(const double* mass, double* v
 }
 
 /// v = momentum / m in place, for the nodes of one column.
-SLIDEZONE_VECTOR_LOOP static void divide_by_mass(const double* mass, double* velocity, std::size_t count, double least_mass) {
+template <class Real>
+SLIDEZONE_VECTOR_LOOP static void divide_by_mass(const Real* mass, Real* velocity, std::size_t count, Real least_mass) {
 #pragma GCC ivdep
   for (std::size_t k = 0; k < count; ++k) {
-    const double inverse = mass[k] > least_mass ? 1 / mass[k] : 0;
+    const Real inverse = mass[k] > least_mass ? 1 / mass[k] : 0;
     velocity[2 * k] *= inverse;
     velocity[2 * k + 1] *= inverse;
   }
@@ -171,93 +189,104 @@ struct Motion {
   double square;
 };
 
-SLIDEZONE_VECTOR_LOOP static Motion motion_of(const double* mass, const double* velocity, std::size_t count) {
+template <class Real>
+SLIDEZONE_VECTOR_LOOP static Motion motion_of(const Real* mass, const Real* velocity, std::size_t count) {
   double x = 0;
   double y = 0;
   double square = 0;
 #pragma omp simd reduction(+ : x, y, square)
   for (std::size_t k = 0; k < count; ++k) {
-    const double along_x = mass[k] * velocity[2 * k];
-    const double along_y = mass[k] * velocity[2 * k + 1];
-    x += along_x;
-    y += along_y;
-    square += along_x * velocity[2 * k] + along_y * velocity[2 * k + 1];
+    const Real along_x = mass[k] * velocity[2 * k];
+    const Real along_y = mass[k] * velocity[2 * k + 1];
+    x += static_cast<double>(along_x);
+    y += static_cast<double>(along_y);
+    square += static_cast<double>(along_x * velocity[2 * k] + along_y * velocity[2 * k + 1]);
   }
   return {{x, y}, square};
 }
 
-/// Base contact with friction; returns friction's work. Changes of velocity go into `change` too.
-static double touch_base(Nodes& nodes, const NodeBox& box, const NodeSettings& settings) {
+/// What a boundary did to a node's velocity, which was `free`, goes into its change over the step too.
+template <class Real>
+static void add_to_change(NodesOf<Real>& nodes, std::size_t node, Vec2 free) {
+  nodes.change[2 * node] += static_cast<Real>(nodes.velocity[2 * node] - free.x);
+  nodes.change[2 * node + 1] += static_cast<Real>(nodes.velocity[2 * node + 1] - free.y);
+}
+
+/// Base contact with friction; returns friction's work.
+template <class Real>
+static double touch_base(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings) {
   double work = 0;
   for_nodes_on_base(nodes, box, [&](std::size_t node) {
-    const NodeVelocity velocity = velocity_of(nodes.velocity, node);
+    const NodeVelocity<Real> velocity = velocity_of(nodes.velocity, node);
     const Vec2 free = {velocity.x, velocity.y};
     hold_at_base(velocity, settings.boundaries.base);
     if (settings.boundaries.base != BaseContact::stick)
-      velocity.x = rubbed(free.x, std::max(0.0, -free.y), settings.boundaries.base_friction);
+      velocity.x = static_cast<Real>(rubbed(free.x, std::max(0.0, -free.y), settings.boundaries.base_friction));
     const double before = free.x - nodes.change[2 * node];
     const double arrested = velocity.x == 0 ? 0.5 * before * before : 0;
     work += nodes.mass[node] * ((free.x - velocity.x) * velocity.x + arrested);
-    nodes.change[2 * node] += velocity.x - free.x;
-    nodes.change[2 * node + 1] += velocity.y - free.y;
+    add_to_change(nodes, node, free);
   });
   return work;
 }
 
 /// Two-body contact at one row of nodes: where soil approaches the base along the normal, that part of its velocity is taken
 /// away, and friction acts on the rest. Returns friction's work.
-static double touch_body(Nodes& nodes, const NodeBox& box, int row, const std::vector<Vec2>& normals, const NodeSettings& settings) {
+template <class Real>
+static double touch_body(NodesOf<Real>& nodes, const NodeBox& box, int row, const std::vector<Vec2>& normals,
+                         const NodeSettings& settings) {
   if (row < box.first_row || row >= box.last_row) return 0;
   double work = 0;
   for (int column = box.first_column; column < box.last_column; ++column) {
     const std::size_t node = nodes.storage.index(column, row);
-    const NodeVelocity velocity = velocity_of(nodes.velocity, node);
+    const NodeVelocity<Real> velocity = velocity_of(nodes.velocity, node);
     const Vec2 free = {velocity.x, velocity.y};
     const Vec2 normal = normals[static_cast<std::size_t>(column)];
     const double approach = free.x * normal.x + free.y * normal.y;
     if (approach <= 0) continue;
     const double along = free.y * normal.x - free.x * normal.y;  // tangent (-n_y, n_x)
     const double left = rubbed(along, approach, settings.boundaries.base_friction);
-    velocity.x = -normal.y * left;
-    velocity.y = normal.x * left;
+    velocity.x = static_cast<Real>(-normal.y * left);
+    velocity.y = static_cast<Real>(normal.x * left);
     work += nodes.mass[node] * (along - left) * left;
-    nodes.change[2 * node] += velocity.x - free.x;
-    nodes.change[2 * node + 1] += velocity.y - free.y;
+    add_to_change(nodes, node, free);
   }
   return work;
 }
 
-/// Walls; changes of velocity go into `change` too.
-static void touch_walls(Nodes& nodes, const NodeBox& box, const NodeSettings& settings) {
+template <class Real>
+static void touch_walls(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings) {
   const auto touch = [&](Wall wall) {
     return [&nodes, wall](std::size_t node) {
-      const NodeVelocity velocity = velocity_of(nodes.velocity, node);
+      const NodeVelocity<Real> velocity = velocity_of(nodes.velocity, node);
       const Vec2 free = {velocity.x, velocity.y};
       hold_at_wall(velocity, wall);
-      nodes.change[2 * node] += velocity.x - free.x;
-      nodes.change[2 * node + 1] += velocity.y - free.y;
+      add_to_change(nodes, node, free);
     };
   };
   for_nodes_left(nodes, box, touch(settings.boundaries.left));
   for_nodes_right(nodes, box, settings.grid, touch(settings.boundaries.right));
 }
 
-void fold_mass(Nodes& nodes, const NodeBox& box, const NodeSettings& settings) {
+template <class Real>
+void fold_mass(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings) {
   for_each_image(nodes, box, settings, [&](std::size_t behind, std::size_t before, Mirror) {
     nodes.mass[before] += nodes.mass[behind];
     nodes.mass[behind] = 0;
   });
 }
 
-NodeEnergies update_velocities(Nodes& nodes, const NodeBox& box, Vec2 gravity, const NodeSettings& settings,
+template <class Real>
+NodeEnergies update_velocities(NodesOf<Real>& nodes, const NodeBox& box, Vec2 gravity, const NodeSettings& settings,
                                const ContactNormals& contact) {
   for_each_image(nodes, box, settings, [&](std::size_t behind, std::size_t before, Mirror mirror) {
     fold_pairs(nodes.velocity, behind, before, mirror);
     fold_pairs(nodes.change, behind, before, mirror);
   });
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
-    balance_momentum(nodes.mass.data() + first, nodes.velocity.data() + 2 * first, nodes.change.data() + 2 * first, count, gravity,
-                     settings.least_mass, settings.step);
+    balance_momentum(nodes.mass.data() + first, nodes.velocity.data() + 2 * first, nodes.change.data() + 2 * first, count,
+                     static_cast<Real>(gravity.x), static_cast<Real>(gravity.y), static_cast<Real>(settings.least_mass),
+                     static_cast<Real>(settings.step));
   });
   touch_walls(nodes, box, settings);
   NodeEnergies energies;
@@ -279,18 +308,20 @@ NodeEnergies update_velocities(Nodes& nodes, const NodeBox& box, Vec2 gravity, c
   return energies;
 }
 
-void copy_velocities(Nodes& nodes, const NodeBox& box) {
+template <class Real>
+void copy_velocities(NodesOf<Real>& nodes, const NodeBox& box) {
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
     const auto from = nodes.velocity.begin() + static_cast<std::ptrdiff_t>(2 * first);
     std::copy(from, from + static_cast<std::ptrdiff_t>(2 * count), nodes.new_velocity.begin() + static_cast<std::ptrdiff_t>(2 * first));
   });
 }
 
-void update_new_velocities(Nodes& nodes, const NodeBox& box, const NodeSettings& settings) {
+template <class Real>
+void update_new_velocities(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings) {
   for_each_image(nodes, box, settings,
                  [&](std::size_t behind, std::size_t before, Mirror mirror) { fold_pairs(nodes.new_velocity, behind, before, mirror); });
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
-    divide_by_mass(nodes.mass.data() + first, nodes.new_velocity.data() + 2 * first, count, settings.least_mass);
+    divide_by_mass(nodes.mass.data() + first, nodes.new_velocity.data() + 2 * first, count, static_cast<Real>(settings.least_mass));
   });
   const auto hold = [&](Wall wall) {
     return [&nodes, wall](std::size_t node) { hold_at_wall(velocity_of(nodes.new_velocity, node), wall); };
@@ -298,7 +329,7 @@ void update_new_velocities(Nodes& nodes, const NodeBox& box, const NodeSettings&
   for_nodes_left(nodes, box, hold(settings.boundaries.left));
   for_nodes_right(nodes, box, settings.grid, hold(settings.boundaries.right));
   for_nodes_on_base(nodes, box, [&](std::size_t node) {
-    const NodeVelocity velocity = velocity_of(nodes.new_velocity, node);
+    const NodeVelocity<Real> velocity = velocity_of(nodes.new_velocity, node);
     hold_at_base(velocity, settings.boundaries.base);
     const bool is_held_by_friction = nodes.velocity[2 * node] == 0;
     if (is_held_by_friction) velocity.x = 0;
@@ -306,5 +337,26 @@ void update_new_velocities(Nodes& nodes, const NodeBox& box, const NodeSettings&
   for_each_image(nodes, box, settings,
                  [&](std::size_t behind, std::size_t before, Mirror mirror) { reflect_pairs(nodes.new_velocity, behind, before, mirror); });
 }
+
+// ---- for both precisions ------------------------------------------------------------------------------------------------
+
+template struct NodesOf<double>;
+template struct NodesOf<float>;
+template void clear_sums(NodesOf<double>&, const NodeBox&);
+template void clear_sums(NodesOf<float>&, const NodeBox&);
+template void clear_new_sums(NodesOf<double>&, const NodeBox&);
+template void clear_new_sums(NodesOf<float>&, const NodeBox&);
+template std::vector<double> new_velocities_in(const NodesOf<double>&, const NodeBox&);
+template std::vector<double> new_velocities_in(const NodesOf<float>&, const NodeBox&);
+template void set_new_velocities(NodesOf<double>&, const NodeBox&, const std::vector<double>&);
+template void set_new_velocities(NodesOf<float>&, const NodeBox&, const std::vector<double>&);
+template void fold_mass(NodesOf<double>&, const NodeBox&, const NodeSettings&);
+template void fold_mass(NodesOf<float>&, const NodeBox&, const NodeSettings&);
+template NodeEnergies update_velocities(NodesOf<double>&, const NodeBox&, Vec2, const NodeSettings&, const ContactNormals&);
+template NodeEnergies update_velocities(NodesOf<float>&, const NodeBox&, Vec2, const NodeSettings&, const ContactNormals&);
+template void copy_velocities(NodesOf<double>&, const NodeBox&);
+template void copy_velocities(NodesOf<float>&, const NodeBox&);
+template void update_new_velocities(NodesOf<double>&, const NodeBox&, const NodeSettings&);
+template void update_new_velocities(NodesOf<float>&, const NodeBox&, const NodeSettings&);
 
 }  // namespace slidezone

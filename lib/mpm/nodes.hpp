@@ -13,14 +13,15 @@
 
 namespace slidezone {
 
-struct Nodes {
-  explicit Nodes(NodeStorage where);
+template <class Real>
+struct NodesOf {
+  explicit NodesOf(NodeStorage where);
 
   NodeStorage storage;
-  std::vector<double> mass;          // kg/m
-  std::vector<double> velocity;      // m/s; summed as momentum
-  std::vector<double> change;        // m/s, change of velocity over the step; summed as internal force
-  std::vector<double> new_velocity;  // m/s, of the moved points; summed as their momentum
+  std::vector<Real> mass;          // kg/m
+  std::vector<Real> velocity;      // m/s; summed as momentum
+  std::vector<Real> change;        // m/s, change of velocity over the step; summed as internal force
+  std::vector<Real> new_velocity;  // m/s, of the moved points; summed as their momentum
 };
 
 /// Work and energy of one step, J/m.
@@ -31,7 +32,10 @@ struct NodeEnergies {
 };
 
 /// Nodes lighter than this part of a point's mass carry no velocity: the quotients there are noise.
-inline constexpr double least_mass_fraction = 1e-9;
+template <class Real>
+constexpr double least_mass_fraction = 1e-9;
+template <>
+inline constexpr double least_mass_fraction<float> = 1e-7;  // sums of floats are good to 1e-7
 
 /// What the node updates need beside the nodes.
 struct NodeSettings {
@@ -48,18 +52,23 @@ struct ContactNormals {
 };
 
 /// Clears the sums of sweep A, or of sweep B, in the box.
-void clear_sums(Nodes& nodes, const NodeBox& box);
-void clear_new_sums(Nodes& nodes, const NodeBox& box);
+template <class Real>
+void clear_sums(NodesOf<Real>& nodes, const NodeBox& box);
+template <class Real>
+void clear_new_sums(NodesOf<Real>& nodes, const NodeBox& box);
 
 /// The new velocities of the nodes in the box, column by column, and back.
-std::vector<double> new_velocities_in(const Nodes& nodes, const NodeBox& box);
-void set_new_velocities(Nodes& nodes, const NodeBox& box, const std::vector<double>& velocities);
+template <class Real>
+std::vector<double> new_velocities_in(const NodesOf<Real>& nodes, const NodeBox& box);
+template <class Real>
+void set_new_velocities(NodesOf<Real>& nodes, const NodeBox& box, const std::vector<double>& velocities);
 
 /// Walls and base are mirrors: what points map to the padding nodes behind one is folded onto the nodes in front, with the
 /// normal component turned round, and the padding nodes move as mirror images. Without this a point whose domain
 /// reaches through the base would still be carried by the first node above it, and would sink through.
 /// A two-body base is no mirror.
-void fold_mass(Nodes& nodes, const NodeBox& box, const NodeSettings& settings);
+template <class Real>
+void fold_mass(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings);
 
 /// velocity = momentum / mass + change with change = dt (force / mass + gravity), then boundaries: a velocity that a wall
 /// or the base forbids is taken away, and the base takes the friction impulse, at most mu times the normal impulse
@@ -68,14 +77,18 @@ void fold_mass(Nodes& nodes, const NodeBox& box, const NodeSettings& settings);
 /// seem to heat the base. A node that friction stops gives up the kinetic energy that it came with as well.
 /// A two-body base acts on the nodes that `contact` names, along its normals.
 /// After fold_mass.
-NodeEnergies update_velocities(Nodes& nodes, const NodeBox& box, Vec2 gravity, const NodeSettings& settings, const ContactNormals& contact);
+template <class Real>
+NodeEnergies update_velocities(NodesOf<Real>& nodes, const NodeBox& box, Vec2 gravity, const NodeSettings& settings,
+                               const ContactNormals& contact);
 
 /// new_velocity = velocity: the velocities that moved the points (USL), or the momenta of the points before forces act (USF).
-void copy_velocities(Nodes& nodes, const NodeBox& box);
+template <class Real>
+void copy_velocities(NodesOf<Real>& nodes, const NodeBox& box);
 
 /// new_velocity = momentum / mass, without what walls and base forbid. Friction acted in update_velocities already, and so did
 /// all of a two-body base; what friction stopped there stays stopped: else the soil would be strained by a slip that does not
 /// happen, and stiff soil at rest on a rough base would begin to shake. After fold_mass.
-void update_new_velocities(Nodes& nodes, const NodeBox& box, const NodeSettings& settings);
+template <class Real>
+void update_new_velocities(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings);
 
 }  // namespace slidezone

@@ -20,7 +20,8 @@ static double cap_of(const Material& soil) {
   return soil.softening_shape > 0 ? soil.softening_threshold + 4 / soil.softening_shape : soil.softening_threshold;
 }
 
-NonlocalAverage::NonlocalAverage(const Points& points, const std::vector<Material>& soils, double spacing_x, double spacing_y,
+template <class Real>
+NonlocalAverage::NonlocalAverage(const PointsOf<Real>& points, const std::vector<Material>& soils, double spacing_x, double spacing_y,
                                  NonlocalSoftening settings)
     : settings_(settings), place_(points.count()), soil_(points.count()) {
   for (const Material& soil : soils) caps_.push_back(cap_of(soil));
@@ -70,10 +71,12 @@ std::vector<double> NonlocalAverage::smoothed(const std::vector<double>& values)
   return result;
 }
 
-void NonlocalAverage::update(const Points& points, std::vector<double>& softening_strain) {
+template <class Real>
+void NonlocalAverage::update(const PointsOf<Real>& points, std::vector<Real>& softening_strain) {
   std::vector<double> capped(place_.size());
   for (std::size_t p = 0; p < points.count(); ++p)
-    capped[static_cast<std::size_t>(points.label[p])] = std::min(points.plastic_strain[p], caps_[static_cast<std::size_t>(points.soil[p])]);
+    capped[static_cast<std::size_t>(points.label[p])] =
+        std::min<double>(points.plastic_strain[p], caps_[static_cast<std::size_t>(points.soil[p])]);
   for (std::size_t soil = 0; soil < occupancy_.size(); ++soil) {
     std::vector<double> values(columns_ * rows_, 0.0);
     for (std::size_t label = 0; label < place_.size(); ++label)
@@ -84,9 +87,14 @@ void NonlocalAverage::update(const Points& points, std::vector<double>& softenin
       const auto label = static_cast<std::size_t>(points.label[p]);
       const double average = sums[place_[label]] / occupancy_[soil][place_[label]];
       const double mixed = settings_.factor * average + (1 - settings_.factor) * capped[label];
-      softening_strain[p] = std::max(softening_strain[p], mixed);
+      softening_strain[p] = std::max(softening_strain[p], static_cast<Real>(mixed));
     }
   }
 }
+
+template NonlocalAverage::NonlocalAverage(const PointsOf<double>&, const std::vector<Material>&, double, double, NonlocalSoftening);
+template NonlocalAverage::NonlocalAverage(const PointsOf<float>&, const std::vector<Material>&, double, double, NonlocalSoftening);
+template void NonlocalAverage::update(const PointsOf<double>&, std::vector<double>&);
+template void NonlocalAverage::update(const PointsOf<float>&, std::vector<float>&);
 
 }  // namespace slidezone

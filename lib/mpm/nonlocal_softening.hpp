@@ -22,10 +22,13 @@ namespace slidezone {
 class NonlocalAverage {
  public:
   /// `points` in their initial positions, a lattice of the given spacing.
-  NonlocalAverage(const Points& points, const std::vector<Material>& soils, double spacing_x, double spacing_y, NonlocalSoftening settings);
+  template <class Real>
+  NonlocalAverage(const PointsOf<Real>& points, const std::vector<Material>& soils, double spacing_x, double spacing_y,
+                  NonlocalSoftening settings);
 
   /// Raises `softening_strain` to the average of the points' plastic strain; both in the order of `points` now.
-  void update(const Points& points, std::vector<double>& softening_strain);
+  template <class Real>
+  void update(const PointsOf<Real>& points, std::vector<Real>& softening_strain);
 
   /// Longest time between updates that stays within the accuracy stated above.
   static constexpr double interval = 8e-3;  // s

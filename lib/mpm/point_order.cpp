@@ -8,7 +8,8 @@ int first_node(double place, double cell, double half, int count) {
   return static_cast<int>(std::clamp(place / cell - half + NodeStorage::padding, 0.0, count - 1.0));
 }
 
-std::vector<int> order_by_node(const Points& points, const NodeStorage& storage, const GridShape& grid, HalfSize half) {
+template <class Real>
+std::vector<int> order_by_node(const PointsOf<Real>& points, const NodeStorage& storage, const GridShape& grid, HalfSize half) {
   const auto node_of = [&](std::size_t p) {
     return storage.index(first_node(points.x[p], grid.cell_x, half.x, storage.columns),
                          first_node(points.y[p], grid.cell_y, half.y, storage.rows));
@@ -21,10 +22,16 @@ std::vector<int> order_by_node(const Points& points, const NodeStorage& storage,
   return order;
 }
 
-std::vector<int> order_by_label(const Points& points) {
+template <class Real>
+std::vector<int> order_by_label(const PointsOf<Real>& points) {
   std::vector<int> order(points.count());
   for (std::size_t p = 0; p < points.count(); ++p) order[static_cast<std::size_t>(points.label[p])] = static_cast<int>(p);
   return order;
 }
+
+template std::vector<int> order_by_node(const PointsOf<double>&, const NodeStorage&, const GridShape&, HalfSize);
+template std::vector<int> order_by_node(const PointsOf<float>&, const NodeStorage&, const GridShape&, HalfSize);
+template std::vector<int> order_by_label(const PointsOf<double>&);
+template std::vector<int> order_by_label(const PointsOf<float>&);
 
 }  // namespace slidezone

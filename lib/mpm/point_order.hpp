@@ -15,9 +15,11 @@ namespace slidezone {
 int first_node(double place, double cell, double half, int count);
 
 /// By first nodes, column by column; points of equal ones keep their order (counting sort).
-std::vector<int> order_by_node(const Points& points, const NodeStorage& storage, const GridShape& grid, HalfSize half);
+template <class Real>
+std::vector<int> order_by_node(const PointsOf<Real>& points, const NodeStorage& storage, const GridShape& grid, HalfSize half);
 
 /// By label.
-std::vector<int> order_by_label(const Points& points);
+template <class Real>
+std::vector<int> order_by_label(const PointsOf<Real>& points);
 
 }  // namespace slidezone

@@ -1,6 +1,7 @@
 #include "mpm/points.hpp"
 
 #include <numeric>
+#include <type_traits>
 #include <utility>
 
 namespace slidezone {
@@ -27,8 +28,9 @@ static void pick(std::vector<Value>& values, const std::vector<int>& order) {
   values = std::move(result);
 }
 
-static void pick_pairs(std::vector<double>& pairs, const std::vector<int>& order) {
-  std::vector<double> result;
+template <class Real>
+static void pick_pairs(std::vector<Real>& pairs, const std::vector<int>& order) {
+  std::vector<Real> result;
   result.reserve(pairs.size());
   for (const int from : order) {
     const auto first = 2 * static_cast<std::size_t>(from);
@@ -38,12 +40,53 @@ static void pick_pairs(std::vector<double>& pairs, const std::vector<int>& order
   pairs = std::move(result);
 }
 
-void reorder(Points& points, const std::vector<int>& order) {
-  for (auto* values : {&points.x, &points.y, &points.xx, &points.yy, &points.zz, &points.xy, &points.mass, &points.volume,
-                       &points.plastic_strain, &points.softening_strain, &points.peak_cohesion})
+template <class Real>
+void reorder(PointsOf<Real>& points, const std::vector<int>& order) {
+  for (auto* places : {&points.x, &points.y}) pick(*places, order);
+  for (auto* values : {&points.xx, &points.yy, &points.zz, &points.xy, &points.mass, &points.volume, &points.plastic_strain,
+                       &points.softening_strain, &points.peak_cohesion})
     pick(*values, order);
   for (auto* pairs : {&points.velocity, &points.movement}) pick_pairs(*pairs, order);
   for (auto* values : {&points.soil, &points.label}) pick(*values, order);
 }
+
+template void reorder(PointsOf<double>&, const std::vector<int>&);
+template void reorder(PointsOf<float>&, const std::vector<int>&);
+
+template <class To, class From>
+static std::vector<To> converted_values(const std::vector<From>& values) {
+  std::vector<To> result;
+  result.reserve(values.size());
+  for (const From value : values) result.push_back(static_cast<To>(value));
+  return result;
+}
+
+template <class To, class From>
+PointsOf<To> converted(PointsOf<From> points) {
+  if constexpr (std::is_same_v<To, From>) {
+    return points;
+  } else {
+    const auto in = [](const std::vector<From>& values) { return converted_values<To>(values); };
+    return {.x = std::move(points.x),
+            .y = std::move(points.y),
+            .velocity = in(points.velocity),
+            .movement = in(points.movement),
+            .xx = in(points.xx),
+            .yy = in(points.yy),
+            .zz = in(points.zz),
+            .xy = in(points.xy),
+            .mass = in(points.mass),
+            .volume = in(points.volume),
+            .plastic_strain = in(points.plastic_strain),
+            .softening_strain = in(points.softening_strain),
+            .peak_cohesion = in(points.peak_cohesion),
+            .soil = std::move(points.soil),
+            .label = std::move(points.label)};
+  }
+}
+
+template PointsOf<double> converted(PointsOf<double>);
+template PointsOf<double> converted(PointsOf<float>);
+template PointsOf<float> converted(PointsOf<double>);
 
 }  // namespace slidezone

@@ -5,7 +5,8 @@
 
 namespace slidezone {
 
-void RestWatch::see(double time, double kinetic, const Points& points) {
+template <class Real>
+void RestWatch::see(double time, double kinetic, const PointsOf<Real>& points) {
   most_kinetic_ = std::max(most_kinetic_, kinetic);
   if (kinetic > rule_.energy_fraction * most_kinetic_) moving_until_ = time;
   if (time < next_look_) return;
@@ -16,5 +17,8 @@ void RestWatch::see(double time, double kinetic, const Points& points) {
   most_growth_ = std::max(most_growth_, growth);
   if (growth > rule_.strain_fraction * most_growth_) moving_until_ = time;
 }
+
+template void RestWatch::see(double, double, const PointsOf<double>&);
+template void RestWatch::see(double, double, const PointsOf<float>&);
 
 }  // namespace slidezone

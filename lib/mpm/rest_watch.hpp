@@ -15,7 +15,8 @@ class RestWatch {
   explicit RestWatch(RestRule rule) : rule_(rule) {}
 
   /// After each step: `kinetic` of the grid, J/m. Strain is looked at ten times in the time that the rule holds.
-  void see(double time, double kinetic, const Points& points);
+  template <class Real>
+  void see(double time, double kinetic, const PointsOf<Real>& points);
 
   /// The last time that the slope moved or strained by more than the rule's fractions of the peaks, s.
   double moving_until() const { return moving_until_; }

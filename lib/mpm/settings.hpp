@@ -68,10 +68,14 @@ enum class AntiLocking {
   b_bar,  // one volume change and one mean stress for all points of a cell (block_dilation.hpp)
 };
 
+/// The numbers that points and nodes are computed with. Positions and sums over the run are doubles in either.
+enum class Precision { double_precision, single_precision };
+
 struct Scheme {
   UpdateOrder update_order = UpdateOrder::musl;
   ShapeFunctions shape_functions = ShapeFunctions::gimp;
   AntiLocking anti_locking = AntiLocking::none;
+  Precision precision = Precision::double_precision;
   double damping_rate = 0;  // 1/s: how fast point velocities tend to those of the grid; free of the step's length
 };
 

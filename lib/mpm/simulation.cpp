@@ -24,7 +24,8 @@ const std::vector<Material>& materials(const Model& model) { return model.point_
 
 constexpr std::uint64_t sort_interval = 50;  // steps
 
-double kinetic_energy(const Points& points) {
+template <class Real>
+double kinetic_energy(const PointsOf<Real>& points) {
   double energy = 0;
   for (std::size_t p = 0; p < points.count(); ++p) {
     const double vx = points.velocity[2 * p];
@@ -35,7 +36,8 @@ double kinetic_energy(const Points& points) {
 }
 
 /// Work of gravity on all points over a thousandth of their height.
-double work_of_a_small_fall(const Points& points, const Model& model) {
+template <class Real>
+double work_of_a_small_fall(const PointsOf<Real>& points, const Model& model) {
   constexpr double part = 1e-3;
   const auto [lowest, highest] = std::minmax_element(points.y.begin(), points.y.end());
   const double height = *highest - *lowest + model.point_spacing_y;
@@ -50,10 +52,11 @@ HalfSize half_size(const Model& model) {
 }
 
 /// Storage of what averaging over cells needs.
+template <class Real>
 struct DilationStorage {
-  std::vector<double> xx, xy, yx, yy;
+  std::vector<Real> xx, xy, yx, yy;
   std::vector<int> cell;
-  std::vector<double> cell_volume, cell_dilation, cell_now_volume, cell_pressure;
+  std::vector<Real> cell_volume, cell_dilation, cell_now_volume, cell_pressure;
 
   DilationStorage(std::size_t points, std::size_t cells)
       : xx(points),
@@ -66,18 +69,19 @@ struct DilationStorage {
         cell_now_volume(cells),
         cell_pressure(cells) {}
 
-  Dilation view() {
+  Dilation<Real> view() {
     return {
         xx.data(),           xy.data(), yx.data(), yy.data(), cell.data(), cell_volume.data(), cell_dilation.data(), cell_now_volume.data(),
         cell_pressure.data()};
   }
   void clear_sums() {
-    for (auto* sums : {&cell_volume, &cell_dilation, &cell_now_volume, &cell_pressure}) std::fill(sums->begin(), sums->end(), 0.0);
+    for (auto* sums : {&cell_volume, &cell_dilation, &cell_now_volume, &cell_pressure}) std::fill(sums->begin(), sums->end(), Real{0});
   }
 };
 
 /// Names what is wrong with the points: the first one that is outside the grid, or has lost its volume or its numbers.
-std::string trouble_of(const Points& points, const GridShape& grid, std::uint64_t step, double time) {
+template <class Real>
+std::string trouble_of(const PointsOf<Real>& points, const GridShape& grid, std::uint64_t step, double time) {
   const auto at = " at step " + std::to_string(step) + ", time " + format_brief(time, 6) + " s";
   for (std::size_t p = 0; p < points.count(); ++p) {
     const double x = points.x[p];
@@ -97,19 +101,21 @@ std::string trouble_of(const Points& points, const GridShape& grid, std::uint64_
 }
 
 /// The state of a run between steps.
+template <class Real>
 class Run {
  public:
   Run(Model model, Kernel kernel)
       : model_(std::move(model)),
-        points_(std::move(model_.points)),
+        points_(converted<Real>(std::move(model_.points))),
         nodes_(NodeStorage(model_.grid)),
         step_(time_step(model_)),
-        sweeps_(slidezone::sweeps(kernel.set, kernel.traits)),
+        sweeps_(slidezone::sweeps<Real>(kernel.set, kernel.traits)),
         strips_(model_.threads),
         kinetic_at_start_(kinetic_energy(points_)) {
     audit_.least_work = std::max(kinetic_at_start_, work_of_a_small_fall(points_, model_));
-    for (const Material& soil : materials(model_)) soils_.push_back(soil_constants(soil));
-    settings_ = {model_.grid, model_.boundaries, least_mass_fraction * *std::max_element(points_.mass.begin(), points_.mass.end()), step_};
+    for (const Material& soil : materials(model_)) soils_.push_back(soil_constants<Real>(soil));
+    const double heaviest = *std::max_element(points_.mass.begin(), points_.mass.end());
+    settings_ = {model_.grid, model_.boundaries, least_mass_fraction<Real> * heaviest, step_};
     if (model_.method.anti_locking == AntiLocking::b_bar) dilation_.emplace(points_.count(), nodes_.storage.count());
     if (model_.nonlocal_softening) {
       nonlocal_.emplace(points_, model_.soils, model_.point_spacing_x, model_.point_spacing_y, *model_.nonlocal_softening);
@@ -146,14 +152,14 @@ class Run {
   std::uint64_t steps() const { return steps_; }
   double time() const { return static_cast<double>(steps_) * step_; }
   double grid_kinetic() const { return grid_kinetic_; }
-  const Points& points() const { return points_; }
+  const PointsOf<Real>& points() const { return points_; }
 
   /// Whether a run that begins here does the same: strips are divided where sorting is due.
   bool can_be_resumed() const { return steps_ % sort_interval == 0 || points_.count() < Strips::least_points; }
 
   /// After steps without yield; their kinetic energies are left to fill in.
   ElasticStage stage() const {
-    ElasticStage stage{{}, points_, box_, new_velocities_in(nodes_, box_), audit_};
+    ElasticStage stage{{}, converted<double>(points_), box_, new_velocities_in(nodes_, box_), audit_};
     for (auto* of_model : {&stage.points.mass, &stage.points.plastic_strain, &stage.points.softening_strain, &stage.points.peak_cohesion})
       of_model->clear();
     stage.points.soil.clear();
@@ -165,7 +171,7 @@ class Run {
     Run copy = *this;
     copy.complete();
     reorder(copy.points_, order_by_label(copy.points_));
-    return std::move(copy.points_);
+    return converted<double>(std::move(copy.points_));
   }
 
   Outcome finish(Ending ending, double time) {
@@ -178,16 +184,18 @@ class Run {
     outcome.energy = audit_;
     outcome.trouble = trouble_;
     reorder(points_, order_by_label(points_));
-    outcome.points = std::move(points_);
+    outcome.points = converted<double>(std::move(points_));
     return outcome;
   }
 
  private:
   void begin_with(ElasticStage stage) {
     reorder(points_, stage.points.label);
-    for (auto values : {&Points::x, &Points::y, &Points::velocity, &Points::movement, &Points::xx, &Points::yy, &Points::zz, &Points::xy,
-                        &Points::volume})
-      points_.*values = std::move(stage.points.*values);
+    auto begun = converted<Real>(std::move(stage.points));
+    using Begun = decltype(begun);
+    for (auto places : {&Begun::x, &Begun::y}) points_.*places = std::move(begun.*places);
+    for (auto values : {&Begun::velocity, &Begun::movement, &Begun::xx, &Begun::yy, &Begun::zz, &Begun::xy, &Begun::volume})
+      points_.*values = std::move(begun.*values);
     box_ = stage.box;
     set_new_velocities(nodes_, box_, stage.new_velocity);
     audit_ = stage.energy;
@@ -291,7 +299,7 @@ class Run {
 
   // ---- what the sweeps see ----
 
-  SweepData data() {
+  SweepData<Real> data() {
     const HalfSize half = half_size(model_);
     if (dilation_) dilation_view_ = dilation_->view();
     return {.point_count = points_.count(),
@@ -328,17 +336,17 @@ class Run {
   }
 
   Model model_;
-  Points points_;
-  Nodes nodes_;
+  PointsOf<Real> points_;
+  NodesOf<Real> nodes_;
   double step_;
-  Sweeps sweeps_;
+  Sweeps<Real> sweeps_;
   Strips strips_;
   double kinetic_at_start_;
-  std::vector<SoilConstants> soils_;
+  std::vector<SoilConstantsOf<Real>> soils_;
   NodeSettings settings_;
   NodeBox box_;
-  std::optional<DilationStorage> dilation_;
-  Dilation dilation_view_{};
+  std::optional<DilationStorage<Real>> dilation_;
+  Dilation<Real> dilation_view_{};
   std::optional<NonlocalAverage> nonlocal_;
   std::uint64_t average_interval_ = 1;  // steps
   EnergyAudit audit_;
@@ -400,14 +408,18 @@ static bool is_at_rest(const TimeStepping& stepping, const RestWatch& watch, dou
   return stepping.rest && time - watch.moving_until() >= stepping.rest->hold;
 }
 
-static bool has_yielded(const Points& points) {
-  return std::any_of(points.plastic_strain.begin(), points.plastic_strain.end(), [](double strain) { return strain > 0; });
+template <class Real>
+static bool has_yielded(const PointsOf<Real>& points) {
+  return std::any_of(points.plastic_strain.begin(), points.plastic_strain.end(), [](Real strain) { return strain > 0; });
 }
 
-std::optional<ElasticStage> elastic_stage(Model model) {
+static bool is_single(const Model& model) { return model.method.precision == Precision::single_precision; }
+
+template <class Real>
+static std::optional<ElasticStage> elastic_stage_in(Model model) {
   const TimeStepping stepping = model.time;
   const Kernel kernel = kernel_for(model);
-  Run run(std::move(model), kernel);
+  Run<Real> run(std::move(model), kernel);
   RestWatch watch(stepping.rest.value_or(RestRule{}));
   std::vector<double> kinetic;
   std::optional<ElasticStage> stage;
@@ -426,11 +438,15 @@ std::optional<ElasticStage> elastic_stage(Model model) {
   return stage;
 }
 
-Outcome simulate(Model model, const Observer& observer, std::optional<Kernel> kernel) {
+std::optional<ElasticStage> elastic_stage(Model model) {
+  return is_single(model) ? elastic_stage_in<float>(std::move(model)) : elastic_stage_in<double>(std::move(model));
+}
+
+template <class Real>
+static Outcome simulate_in(Model model, const Observer& observer, Kernel kernel) {
   const TimeStepping stepping = model.time;
   const std::vector<double> kinetic_of_stage = model.stage ? model.stage->kinetic : std::vector<double>{};
-  const Kernel chosen = kernel.value_or(kernel_for(model));
-  Run run(std::move(model), chosen);
+  Run<Real> run(std::move(model), kernel);
   const std::uint64_t last = last_step(stepping, run.step());
   const std::function<Points()> points = [&run] { return run.completed_points(); };
   RestWatch watch(stepping.rest.value_or(RestRule{}));
@@ -450,6 +466,12 @@ Outcome simulate(Model model, const Observer& observer, std::optional<Kernel> ke
   Outcome outcome = run.finish(ending, time);
   if (watch.moving_until() < time) outcome.rest_time = watch.moving_until();
   return outcome;
+}
+
+Outcome simulate(Model model, const Observer& observer, std::optional<Kernel> kernel) {
+  const Kernel chosen = kernel.value_or(kernel_for(model));
+  return is_single(model) ? simulate_in<float>(std::move(model), observer, chosen)
+                          : simulate_in<double>(std::move(model), observer, chosen);
 }
 
 }  // namespace slidezone

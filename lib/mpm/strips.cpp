@@ -19,7 +19,8 @@ bool Strips::need_division() const {
 }
 
 /// What a sweep over `count` points from `first` on is to see, within `box`. `dilation` becomes the part's own.
-static SweepData part_of(SweepData data, std::size_t first, std::size_t count, const NodeBox& box, Dilation& dilation) {
+template <class Real>
+static SweepData<Real> part_of(SweepData<Real> data, std::size_t first, std::size_t count, const NodeBox& box, Dilation<Real>& dilation) {
   const auto skip = [first](auto&... arrays) { ((arrays += first), ...); };
   data.point_count = count;
   data.box = box;
@@ -61,27 +62,30 @@ static SweepReport joined(const std::vector<SweepReport>& reports) {
   return all;
 }
 
-SweepReport Strips::move(SweepReport (*sweep)(const SweepData&), const SweepData& data) {
+template <class Real>
+SweepReport Strips::move(SweepReport (*sweep)(const SweepData<Real>&), const SweepData<Real>& data) {
   for (Strip& strip : strips_) strip.box = grown(strip.box, data.storage);
   return stay(sweep, data);
 }
 
-SweepReport Strips::stay(SweepReport (*sweep)(const SweepData&), const SweepData& data) {
+template <class Real>
+SweepReport Strips::stay(SweepReport (*sweep)(const SweepData<Real>&), const SweepData<Real>& data) {
   if (strips_.empty()) return sweep(data);
   std::vector<SweepReport> reports(strips_.size());
   for_each([&](std::size_t k) {
-    Dilation dilation;
+    Dilation<Real> dilation;
     reports[k] = sweep(part_of(data, strips_[k].first, strips_[k].count, strips_[k].box, dilation));
   });
   for (std::size_t k = 0; k < strips_.size(); ++k) strips_[k].box = reports[k].box;
   return joined(reports);
 }
 
-double Strips::stay(double (*sweep)(const SweepData&), const SweepData& data) {
+template <class Real>
+double Strips::stay(double (*sweep)(const SweepData<Real>&), const SweepData<Real>& data) {
   if (strips_.empty()) return sweep(data);
   std::vector<double> parts(strips_.size());
   for_each([&](std::size_t k) {
-    Dilation dilation;
+    Dilation<Real> dilation;
     parts[k] = sweep(part_of(data, strips_[k].first, strips_[k].count, strips_[k].box, dilation));
   });
   double sum = 0;
@@ -89,12 +93,22 @@ double Strips::stay(double (*sweep)(const SweepData&), const SweepData& data) {
   return sum;
 }
 
-void Strips::stay(void (*sweep)(const SweepData&), const SweepData& data) {
+template <class Real>
+void Strips::stay(void (*sweep)(const SweepData<Real>&), const SweepData<Real>& data) {
   if (strips_.empty()) return sweep(data);
   for_each([&](std::size_t k) {
-    Dilation dilation;
+    Dilation<Real> dilation;
     sweep(part_of(data, strips_[k].first, strips_[k].count, strips_[k].box, dilation));
   });
 }
+
+template SweepReport Strips::move(SweepReport (*)(const SweepData<double>&), const SweepData<double>&);
+template SweepReport Strips::move(SweepReport (*)(const SweepData<float>&), const SweepData<float>&);
+template SweepReport Strips::stay(SweepReport (*)(const SweepData<double>&), const SweepData<double>&);
+template SweepReport Strips::stay(SweepReport (*)(const SweepData<float>&), const SweepData<float>&);
+template double Strips::stay(double (*)(const SweepData<double>&), const SweepData<double>&);
+template double Strips::stay(double (*)(const SweepData<float>&), const SweepData<float>&);
+template void Strips::stay(void (*)(const SweepData<double>&), const SweepData<double>&);
+template void Strips::stay(void (*)(const SweepData<float>&), const SweepData<float>&);
 
 }  // namespace slidezone

@@ -44,11 +44,15 @@ class Strips {
   bool need_division() const;
 
   /// Sweeps that move points, and so find the nodes that they reach then.
-  SweepReport move(SweepReport (*sweep)(const SweepData&), const SweepData& data);
+  template <class Real>
+  SweepReport move(SweepReport (*sweep)(const SweepData<Real>&), const SweepData<Real>& data);
   /// Sweeps that leave points where they are.
-  SweepReport stay(SweepReport (*sweep)(const SweepData&), const SweepData& data);
-  double stay(double (*sweep)(const SweepData&), const SweepData& data);
-  void stay(void (*sweep)(const SweepData&), const SweepData& data);
+  template <class Real>
+  SweepReport stay(SweepReport (*sweep)(const SweepData<Real>&), const SweepData<Real>& data);
+  template <class Real>
+  double stay(double (*sweep)(const SweepData<Real>&), const SweepData<Real>& data);
+  template <class Real>
+  void stay(void (*sweep)(const SweepData<Real>&), const SweepData<Real>& data);
 
  private:
   static constexpr int columns = 8;

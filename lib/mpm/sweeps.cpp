@@ -1,4 +1,5 @@
-// Compiled three times, with SLIDEZONE_SWEEPS naming the function for each instruction set; see CMakeLists.txt.
+// Compiled for each instruction set and precision, with SLIDEZONE_SWEEPS naming the function and SLIDEZONE_REAL its numbers; see
+// CMakeLists.txt.
 #include "mpm/sweeps.hpp"
 
 #include "mpm/block_dilation.hpp"
@@ -10,8 +11,8 @@
 namespace slidezone {
 namespace {
 
-template <class Act>
-[[gnu::always_inline]] inline void for_each_block(const SweepData& data, Act act) {
+template <class Real, class Act>
+[[gnu::always_inline]] inline void for_each_block(const SweepData<Real>& data, Act act) {
   std::size_t first = 0;
   for (; first + block_size <= data.point_count; first += block_size) act(FullBlock{first});
   if (first < data.point_count) act(LastBlock{first, static_cast<int>(data.point_count - first)});
@@ -22,7 +23,8 @@ NodeBox joined(const NodeBox& a, const NodeBox& b) {
           a.first_row < b.first_row ? a.first_row : b.first_row, a.last_row > b.last_row ? a.last_row : b.last_row};
 }
 
-SweepReport empty_report(const SweepData& data) {
+template <class Real>
+SweepReport empty_report(const SweepData<Real>& data) {
   SweepReport report;
   report.box = {data.storage.columns, 0, data.storage.rows, 0};
   return report;
@@ -43,18 +45,21 @@ void join(SweepReport& report, const StressUpdate& update) {
 enum class Map { yes, no };
 
 /// Asks for the numbers of the block after this one: there are more arrays than the processor would fetch ahead by itself.
-template <class... Arrays>
-[[gnu::always_inline]] inline void fetch_next(auto block, Arrays... arrays) {
-  constexpr int line = 64 / sizeof(double);
-  for (int k = 0; k < block_size; k += line) (__builtin_prefetch(arrays + block.first + block_size + k), ...);
+template <class... Numbers>
+[[gnu::always_inline]] inline void fetch_next(auto block, const Numbers*... arrays) {
+  constexpr int line = 64;  // bytes
+  const auto fetch = [](const auto* from) __attribute__((always_inline)) {
+    for (int k = 0; k < block_size; k += line / static_cast<int>(sizeof(*from))) __builtin_prefetch(from + k);
+  };
+  (fetch(arrays + block.first + block_size), ...);
 }
 
-template <SoilTraits traits, Map map>
-SweepReport update_and_map(const SweepData& data) {
+template <SoilTraits traits, Map map, class Real>
+SweepReport update_and_map(const SweepData<Real>& data) {
   SweepReport report = empty_report(data);
   for_each_block(data, [&](auto block) {
-    BlockWeights weights;
-    BlockGradients gradients;
+    BlockWeights<Real> weights;
+    BlockGradients<Real> gradients;
     fetch_next(block, data.x, data.y, data.xx, data.yy, data.zz, data.xy, data.volume, data.plastic_strain, data.mass, data.peak_cohesion,
                data.movement + block.first, data.movement + block.first + block_size, data.velocity + block.first,
                data.velocity + block.first + block_size);
@@ -68,22 +73,23 @@ SweepReport update_and_map(const SweepData& data) {
   return report;
 }
 
-void gather_dilation(const SweepData& data) {
+template <class Real>
+void gather_dilation(const SweepData<Real>& data) {
   for_each_block(data, [&](auto block) {
-    BlockWeights weights;
-    BlockGradients gradients;
+    BlockWeights<Real> weights;
+    BlockGradients<Real> gradients;
     weigh(data, block, weights);
     gather_gradients(data, block, weights, gradients);
     sum_dilation(data, block, weights, gradients);
   });
 }
 
-template <SoilTraits traits>
-SweepReport update_with_mean_dilation(const SweepData& data) {
+template <SoilTraits traits, class Real>
+SweepReport update_with_mean_dilation(const SweepData<Real>& data) {
   SweepReport report = empty_report(data);
   for_each_block(data, [&](auto block) {
-    BlockWeights weights;
-    BlockGradients gradients;
+    BlockWeights<Real> weights;
+    BlockGradients<Real> gradients;
     mean_gradients(data, block, gradients);
     join(report, update_stress<traits>(data, block, gradients));
     move(data, block);
@@ -93,35 +99,37 @@ SweepReport update_with_mean_dilation(const SweepData& data) {
   return report;
 }
 
-void map_with_mean_stress(const SweepData& data) {
+template <class Real>
+void map_with_mean_stress(const SweepData<Real>& data) {
   for_each_block(data, [&](auto block) {
-    BlockWeights weights;
-    MeanStress mean;
+    BlockWeights<Real> weights;
+    MeanStress<Real> mean;
     weigh(data, block, weights);
     mean_stress(data, block, mean);
-    map_to_nodes<Give::both>(data, block, weights, {mean.xx, mean.yy, data.xy + block.first});
+    map_to_nodes<Give::both>(data, block, weights, BlockStress<Real>{mean.xx, mean.yy, data.xy + block.first});
   });
 }
 
 // ---- USF ----------------------------------------------------------------------------------------------------------------
 
-SweepReport move_and_map_momentum(const SweepData& data) {
+template <class Real>
+SweepReport move_and_map_momentum(const SweepData<Real>& data) {
   SweepReport report = empty_report(data);
   for_each_block(data, [&](auto block) {
-    BlockWeights weights;
+    BlockWeights<Real> weights;
     move(data, block);
     join(report, weigh(data, block, weights));
-    map_to_nodes<Give::momentum>(data, block, weights, {});
+    map_to_nodes<Give::momentum>(data, block, weights, BlockStress<Real>{});
   });
   return report;
 }
 
-template <SoilTraits traits>
-SweepReport update_and_map_force(const SweepData& data) {
+template <SoilTraits traits, class Real>
+SweepReport update_and_map_force(const SweepData<Real>& data) {
   SweepReport report = empty_report(data);
   for_each_block(data, [&](auto block) {
-    BlockWeights weights;
-    BlockGradients gradients;
+    BlockWeights<Real> weights;
+    BlockGradients<Real> gradients;
     join(report, weigh(data, block, weights));
     gather_gradients(data, block, weights, gradients);
     join(report, update_stress<traits>(data, block, gradients));
@@ -134,13 +142,13 @@ SweepReport update_and_map_force(const SweepData& data) {
 
 enum class SecondMap { yes, no };
 
-template <SecondMap second_map>
-double gather(const SweepData& data) {
+template <SecondMap second_map, class Real>
+double gather(const SweepData<Real>& data) {
   double damped = 0;
   for_each_block(data, [&](auto block) {
-    BlockWeights weights;
-    FromNodes from_nodes[block_size];
-    BlockPairs momentum;
+    BlockWeights<Real> weights;
+    FromNodes<Real> from_nodes[block_size];
+    BlockPairs<Real> momentum;
     fetch_next(block, data.x, data.y, data.mass, data.velocity + block.first, data.velocity + block.first + block_size,
                data.movement + block.first, data.movement + block.first + block_size);
     weigh(data, block, weights);
@@ -151,31 +159,36 @@ double gather(const SweepData& data) {
   return damped;
 }
 
-template <SoilTraits traits>
-Sweeps sweeps_for() {
-  return {.update_and_map = update_and_map<traits, Map::yes>,
-          .update = update_and_map<traits, Map::no>,
-          .gather_dilation = gather_dilation,
-          .update_with_mean_dilation = update_with_mean_dilation<traits>,
-          .map_with_mean_stress = map_with_mean_stress,
-          .move_and_map_momentum = move_and_map_momentum,
-          .update_and_map_force = update_and_map_force<traits>,
-          .gather_and_map = gather<SecondMap::yes>,
-          .gather = gather<SecondMap::no>};
+template <SoilTraits traits, class Real>
+Sweeps<Real> sweeps_for() {
+  return {.update_and_map = update_and_map<traits, Map::yes, Real>,
+          .update = update_and_map<traits, Map::no, Real>,
+          .gather_dilation = gather_dilation<Real>,
+          .update_with_mean_dilation = update_with_mean_dilation<traits, Real>,
+          .map_with_mean_stress = map_with_mean_stress<Real>,
+          .move_and_map_momentum = move_and_map_momentum<Real>,
+          .update_and_map_force = update_and_map_force<traits, Real>,
+          .gather_and_map = gather<SecondMap::yes, Real>,
+          .gather = gather<SecondMap::no, Real>};
 }
 
-template <bool has_cone, bool has_softening>
-Sweeps sweeps_for(bool has_layers) {
-  return has_layers ? sweeps_for<SoilTraits{has_cone, has_softening, true}>() : sweeps_for<SoilTraits{has_cone, has_softening, false}>();
+template <class Real, bool has_cone, bool has_softening>
+Sweeps<Real> sweeps_for(bool has_layers) {
+  return has_layers ? sweeps_for<SoilTraits{has_cone, has_softening, true}, Real>()
+                    : sweeps_for<SoilTraits{has_cone, has_softening, false}, Real>();
+}
+
+template <class Real>
+Sweeps<Real> sweeps_for(SoilTraits traits) {
+  if (traits.has_cone)
+    return traits.has_softening ? sweeps_for<Real, true, true>(traits.has_layers) : sweeps_for<Real, true, false>(traits.has_layers);
+  return traits.has_softening ? sweeps_for<Real, false, true>(traits.has_layers) : sweeps_for<Real, false, false>(traits.has_layers);
 }
 
 }  // namespace
 
-Sweeps SLIDEZONE_SWEEPS(SoilTraits traits);
+Sweeps<SLIDEZONE_REAL> SLIDEZONE_SWEEPS(SoilTraits traits);
 
-Sweeps SLIDEZONE_SWEEPS(SoilTraits traits) {
-  if (traits.has_cone) return traits.has_softening ? sweeps_for<true, true>(traits.has_layers) : sweeps_for<true, false>(traits.has_layers);
-  return traits.has_softening ? sweeps_for<false, true>(traits.has_layers) : sweeps_for<false, false>(traits.has_layers);
-}
+Sweeps<SLIDEZONE_REAL> SLIDEZONE_SWEEPS(SoilTraits traits) { return sweeps_for<SLIDEZONE_REAL>(traits); }
 
 }  // namespace slidezone

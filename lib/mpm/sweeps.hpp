@@ -19,29 +19,32 @@
 namespace slidezone {
 
 /// What averaging over cells needs; see block_dilation.hpp. Cells are counted by their lower left node.
+template <class Real>
 struct Dilation {
-  double *xx, *xy, *yx, *yy;                // velocity gradient of each point, 1/s
-  int* cell;                                // of each point
-  double *cell_volume, *cell_dilation;      // sums over the points of a cell: V, V (L_xx + L_yy)
-  double *cell_now_volume, *cell_pressure;  // sums after the move: V, V (s_xx + s_yy) / 2
+  Real *xx, *xy, *yx, *yy;                // velocity gradient of each point, 1/s
+  int* cell;                              // of each point
+  Real *cell_volume, *cell_dilation;      // sums over the points of a cell: V, V (L_xx + L_yy)
+  Real *cell_now_volume, *cell_pressure;  // sums after the move: V, V (s_xx + s_yy) / 2
 };
 
 /// What the sweeps read and write; arrays as in points.hpp and nodes.hpp, whose layout grid/node_storage.hpp gives.
+template <class Real>
 struct SweepData {
   // points
   std::size_t point_count;
-  double *x, *y, *velocity, *movement;
-  double *xx, *yy, *zz, *xy, *volume, *plastic_strain;
-  const double* softening_strain;  // what softening follows: plastic_strain itself, or its average over neighbours
-  const double *mass, *peak_cohesion;
+  double *x, *y;
+  Real *velocity, *movement;
+  Real *xx, *yy, *zz, *xy, *volume, *plastic_strain;
+  const Real* softening_strain;  // what softening follows: plastic_strain itself, or its average over neighbours
+  const Real *mass, *peak_cohesion;
   const int* soil;
-  const SoilConstants* soils;
+  const SoilConstantsOf<Real>* soils;
   // nodes
-  double *node_mass, *node_momentum, *node_force;  // written by sweep A
-  const double *node_velocity, *node_change;       // v and dt a after the node update, read by sweep B
-  double* node_new_momentum;                       // written by sweep B
-  const double* node_new_velocity;                 // read by the next sweep A
-  Dilation* dilation;                              // for AntiLocking::b_bar alone
+  Real *node_mass, *node_momentum, *node_force;  // written by sweep A
+  const Real *node_velocity, *node_change;       // v and dt a after the node update, read by sweep B
+  Real* node_new_momentum;                       // written by sweep B
+  const Real* node_new_velocity;                 // read by the next sweep A
+  Dilation<Real>* dilation;                      // for AntiLocking::b_bar alone
   NodeStorage storage;
   NodeBox box;  // the nodes that points may reach; they are zeroed before sweep A
   // geometry
@@ -58,28 +61,34 @@ struct SweepReport {
   bool is_broken = false;    // some point lies outside data.box, has no positive volume, or is not finite
 };
 
-enum class InstructionSet { baseline, avx2, avx512 };
+enum class InstructionSet { baseline, avx2, avx512 };  // from the least on
 
 /// The best that this processor has.
 InstructionSet best_instruction_set();
 
 /// The sweeps for one instruction set and one combination of soil traits.
+template <class Real>
 struct Sweeps {
   // MUSL and USL
-  SweepReport (*update_and_map)(const SweepData&);  // sweep A
-  SweepReport (*update)(const SweepData&);          // sweep A without the map to the nodes: ends a run
+  SweepReport (*update_and_map)(const SweepData<Real>&);  // sweep A
+  SweepReport (*update)(const SweepData<Real>&);          // sweep A without the map to the nodes: ends a run
   // the same with averages over cells, in three passes
-  void (*gather_dilation)(const SweepData&);
-  SweepReport (*update_with_mean_dilation)(const SweepData&);
-  void (*map_with_mean_stress)(const SweepData&);
+  void (*gather_dilation)(const SweepData<Real>&);
+  SweepReport (*update_with_mean_dilation)(const SweepData<Real>&);
+  void (*map_with_mean_stress)(const SweepData<Real>&);
   // USF
-  SweepReport (*move_and_map_momentum)(const SweepData&);
-  SweepReport (*update_and_map_force)(const SweepData&);
+  SweepReport (*move_and_map_momentum)(const SweepData<Real>&);
+  SweepReport (*update_and_map_force)(const SweepData<Real>&);
   // sweep B, with the second map of MUSL and without; both give the energy that damping took, J/m
-  double (*gather_and_map)(const SweepData&);
-  double (*gather)(const SweepData&);
+  double (*gather_and_map)(const SweepData<Real>&);
+  double (*gather)(const SweepData<Real>&);
 };
 
-Sweeps sweeps(InstructionSet set, SoilTraits traits);
+template <class Real>
+Sweeps<Real> sweeps(InstructionSet set, SoilTraits traits);
+template <>
+Sweeps<double> sweeps(InstructionSet set, SoilTraits traits);
+template <>
+Sweeps<float> sweeps(InstructionSet set, SoilTraits traits);
 
 }  // namespace slidezone

@@ -69,6 +69,9 @@ std::string explanation(const Model& model, bool has_sample, const Provenance& p
   part("threads", model.points.count() < Strips::least_points ? "1" : std::to_string(model.threads),
        model.points.count() < Strips::least_points ? "fewer than " + std::to_string(Strips::least_points) + " points" : "as asked for");
   part("instruction set", name_of(kernel.set), "the best that this processor has");
+  const bool is_single = model.method.precision == Precision::single_precision;
+  part("precision", is_single ? "single" : "double",
+       is_single ? "floats, but for positions and sums over the run" : "floats would save some of the time; see README");
   part("update order", name_of(model.method.update_order),
        model.method.update_order == UpdateOrder::musl ? "momentum is mapped twice a step" : "without MUSL's second map");
   feature("GIMP domains", model.method.shape_functions == ShapeFunctions::gimp, "shape functions reach three nodes an axis",

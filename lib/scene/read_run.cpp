@@ -26,6 +26,7 @@ static const Words<GravityProtocol> protocols = {
     {"sudden", GravityProtocol::sudden}, {"ramp", GravityProtocol::ramp}, {"k0", GravityProtocol::k0}};
 static const Words<UpdateOrder> update_orders = {{"MUSL", UpdateOrder::musl}, {"USL", UpdateOrder::usl}, {"USF", UpdateOrder::usf}};
 static const Words<ShapeFunctions> shape_functions = {{"GIMP", ShapeFunctions::gimp}, {"linear", ShapeFunctions::linear}};
+static const Words<Precision> precisions = {{"double", Precision::double_precision}, {"single", Precision::single_precision}};
 static const Words<AntiLocking> anti_lockings = {{"none", AntiLocking::none}, {"B-bar", AntiLocking::b_bar}};
 
 /// The value that the key's word stands for; an absent key leaves `absent`.
@@ -104,11 +105,12 @@ TimeStepping read_time(const TomlTable& table, const Gravity& gravity) {
 }
 
 Scheme read_method(const TomlTable& table) {
-  table.check_keys({"update_order", "shape_functions", "anti_locking", "damping_rate"});
+  table.check_keys({"update_order", "shape_functions", "anti_locking", "damping_rate", "precision"});
   Scheme method;
   method.update_order = choice_or(table, "update_order", update_orders, method.update_order);
   method.shape_functions = choice_or(table, "shape_functions", shape_functions, method.shape_functions);
   method.anti_locking = choice_or(table, "anti_locking", anti_lockings, method.anti_locking);
+  method.precision = choice_or(table, "precision", precisions, method.precision);
   method.damping_rate = table.quantity_or("damping_rate", "s-1", not_negative, method.damping_rate);
   if (method.anti_locking == AntiLocking::b_bar && method.update_order == UpdateOrder::usf)
     table.fail("anti_locking", "\"B-bar\" averages over cells at the end of a step; take update_order = \"MUSL\" or \"USL\"");

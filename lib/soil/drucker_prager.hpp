@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "core/portable_math.hpp"
 #include "soil/elasticity.hpp"
@@ -35,19 +36,21 @@ struct SoilTraits {
 };
 
 /// Constants of one soil in the form that the return mapping needs.
-struct SoilConstants {
-  double bulk = 0;
-  double shear = 0;
-  double peak_friction_angle = 0;
-  double residual_friction_angle = 0;
-  double residual_cohesion = 0;
-  double softening_threshold = 0;
-  double softening_shape = 0;
-  double q_psi = 0;
-  double tension_cutoff = 0;
-  double inverse_bulk = 0;  // a product takes a tenth of the time of a quotient
-  double inverse_shear = 0;
+template <class Real>
+struct SoilConstantsOf {
+  Real bulk = 0;
+  Real shear = 0;
+  Real peak_friction_angle = 0;
+  Real residual_friction_angle = 0;
+  Real residual_cohesion = 0;
+  Real softening_threshold = 0;
+  Real softening_shape = 0;
+  Real q_psi = 0;
+  Real tension_cutoff = 0;
+  Real inverse_bulk = 0;  // a product takes a tenth of the time of a quotient
+  Real inverse_shear = 0;
 };
+using SoilConstants = SoilConstantsOf<double>;
 
 /// Stands for an infinite cut-off: finite, so that its product with q_phi = 0 is 0.
 inline constexpr double no_cutoff = 1e30;  // Pa
@@ -58,85 +61,91 @@ inline double cone_slope(double angle) {
   return 3 * tangent / std::sqrt(9 + 12 * tangent * tangent);
 }
 
-inline SoilConstants soil_constants(const Material& soil) {
+template <class Real = double>
+SoilConstantsOf<Real> soil_constants(const Material& soil) {
   const ElasticModuli moduli = elastic_moduli(soil);
-  return {moduli.bulk,
-          moduli.shear,
-          soil.peak_friction_angle,
-          soil.residual_friction_angle,
-          soil.residual_cohesion,
-          soil.softening_threshold,
-          soil.softening_shape,
-          cone_slope(soil.dilation_angle),
-          std::min(soil.tension_cutoff, no_cutoff),
-          1 / moduli.bulk,
-          1 / moduli.shear};
+  return {static_cast<Real>(moduli.bulk),
+          static_cast<Real>(moduli.shear),
+          static_cast<Real>(soil.peak_friction_angle),
+          static_cast<Real>(soil.residual_friction_angle),
+          static_cast<Real>(soil.residual_cohesion),
+          static_cast<Real>(soil.softening_threshold),
+          static_cast<Real>(soil.softening_shape),
+          static_cast<Real>(cone_slope(soil.dilation_angle)),
+          static_cast<Real>(std::min(soil.tension_cutoff, no_cutoff)),
+          static_cast<Real>(1 / moduli.bulk),
+          static_cast<Real>(1 / moduli.shear)};
 }
 
 /// The yield surfaces at one plastic strain.
-struct YieldSurface {
-  double q_phi = 0;
-  double k_c = 0;
-  double tension = 0;  // s_t
+template <class Real>
+struct YieldSurfaceOf {
+  Real q_phi = 0;
+  Real k_c = 0;
+  Real tension = 0;  // s_t
 };
+using YieldSurface = YieldSurfaceOf<double>;
 
 /// Part of the peak strength that is left: 1 up to the threshold, then exp(-eta (e - e_0)).
-SLIDEZONE_INLINE double unsoftened_part(const SoilConstants& soil, double plastic_strain) {
-  const double beyond = plastic_strain - soil.softening_threshold;
+template <class Real>
+SLIDEZONE_INLINE Real unsoftened_part(const SoilConstantsOf<Real>& soil, Real plastic_strain) {
+  const Real beyond = plastic_strain - soil.softening_threshold;
   return portable_exp<RoundedOnce>(-soil.softening_shape * (beyond > 0 ? beyond : 0));
 }
 
-template <SoilTraits traits>
-SLIDEZONE_INLINE YieldSurface yield_surface(const SoilConstants& soil, double peak_cohesion, double plastic_strain) {
-  double cohesion = peak_cohesion;
-  double friction_angle = soil.peak_friction_angle;
+template <SoilTraits traits, class Real>
+SLIDEZONE_INLINE YieldSurfaceOf<Real> yield_surface(const SoilConstantsOf<Real>& soil, std::type_identity_t<Real> peak_cohesion,
+                                                    std::type_identity_t<Real> plastic_strain) {
+  Real cohesion = peak_cohesion;
+  Real friction_angle = soil.peak_friction_angle;
   if constexpr (traits.has_softening) {
-    const double part = unsoftened_part(soil, plastic_strain);
+    const Real part = unsoftened_part(soil, plastic_strain);
     cohesion = soil.residual_cohesion + (peak_cohesion - soil.residual_cohesion) * part;
     friction_angle = soil.residual_friction_angle + (soil.peak_friction_angle - soil.residual_friction_angle) * part;
   }
   if constexpr (!traits.has_cone) return {0, cohesion, 0};
-  const double tangent = portable_tangent(friction_angle);
-  const double matched = 3 / std::sqrt(9 + 12 * tangent * tangent);
-  const double q_phi = tangent * matched;
-  const double k_c = cohesion * matched;
-  const double cut = soil.tension_cutoff;
+  const Real tangent = portable_tangent(friction_angle);
+  const Real matched = 3 / std::sqrt(9 + 12 * tangent * tangent);
+  const Real q_phi = tangent * matched;
+  const Real k_c = cohesion * matched;
+  const Real cut = soil.tension_cutoff;
   return {q_phi, k_c, cut * q_phi <= k_c ? cut : k_c / q_phi};
 }
 
 /// Takes `stress` back to the yield surface where it lies outside; returns the increment of the equivalent plastic strain.
-template <SoilTraits traits>
-SLIDEZONE_INLINE double return_to_yield(Stress& stress, const SoilConstants& soil, const YieldSurface& yield) {
-  const double mean = (stress.xx + stress.yy + stress.zz) * (1.0 / 3.0);
-  const double dev_xx = stress.xx - mean;
-  const double dev_yy = stress.yy - mean;
-  const double dev_zz = stress.zz - mean;
-  const double tau = std::sqrt(0.5 * (dev_xx * dev_xx + dev_yy * dev_yy + dev_zz * dev_zz) + stress.xy * stress.xy);
-  const double G = soil.shear;
-  const double K = soil.bulk;
+template <SoilTraits traits, class Real>
+SLIDEZONE_INLINE Real return_to_yield(StressOf<Real>& stress, const SoilConstantsOf<Real>& soil, const YieldSurfaceOf<Real>& yield) {
+  constexpr Real third = Real{1} / 3;
+  constexpr Real half = 0.5;
+  const Real mean = (stress.xx + stress.yy + stress.zz) * third;
+  const Real dev_xx = stress.xx - mean;
+  const Real dev_yy = stress.yy - mean;
+  const Real dev_zz = stress.zz - mean;
+  const Real tau = std::sqrt(half * (dev_xx * dev_xx + dev_yy * dev_yy + dev_zz * dev_zz) + stress.xy * stress.xy);
+  const Real G = soil.shear;
+  const Real K = soil.bulk;
 
-  double shear_multiplier = 0;
-  double tension_multiplier = 0;
+  Real shear_multiplier = 0;
+  Real tension_multiplier = 0;
   if constexpr (!traits.has_cone) {
     shear_multiplier = (tau > yield.k_c ? tau - yield.k_c : 0) * soil.inverse_shear;
   } else {
-    const double outside = tau + yield.q_phi * mean - yield.k_c;
-    const double tau_at_cut = yield.k_c - yield.q_phi * yield.tension;
-    const double shear_alone = (outside > 0 ? outside : 0) * (1 / (G + K * yield.q_phi * soil.q_psi));
+    const Real outside = tau + yield.q_phi * mean - yield.k_c;
+    const Real tau_at_cut = yield.k_c - yield.q_phi * yield.tension;
+    const Real shear_alone = (outside > 0 ? outside : 0) * (1 / (G + K * yield.q_phi * soil.q_psi));
     const bool is_above_cut = mean - K * soil.q_psi * shear_alone > yield.tension;
-    const double to_corner = tau > tau_at_cut ? (tau - tau_at_cut) * soil.inverse_shear : 0;
+    const Real to_corner = tau > tau_at_cut ? (tau - tau_at_cut) * soil.inverse_shear : 0;
     shear_multiplier = is_above_cut ? to_corner : shear_alone;
     tension_multiplier = is_above_cut ? (mean - yield.tension) * soil.inverse_bulk - soil.q_psi * shear_multiplier : 0;
   }
 
-  const double kept = tau > 0 ? 1 - G * shear_multiplier / tau : 1;
-  const double volumetric = soil.q_psi * shear_multiplier + tension_multiplier;
-  const double new_mean = traits.has_cone ? mean - K * volumetric : mean;
+  const Real kept = tau > 0 ? 1 - G * shear_multiplier / tau : 1;
+  const Real volumetric = soil.q_psi * shear_multiplier + tension_multiplier;
+  const Real new_mean = traits.has_cone ? mean - K * volumetric : mean;
   stress = {new_mean + kept * dev_xx, new_mean + kept * dev_yy, new_mean + kept * dev_zz, kept * stress.xy};
-  const double by_shear_alone = __builtin_assoc_barrier(shear_multiplier * std::sqrt(1.0 / 3.0));
+  const Real by_shear_alone = __builtin_assoc_barrier(shear_multiplier * std::sqrt(third));
   if constexpr (!traits.has_cone) return by_shear_alone;
-  return volumetric == 0 ? by_shear_alone
-                         : std::sqrt(1.0 / 3.0 * shear_multiplier * shear_multiplier + 2.0 / 9.0 * volumetric * volumetric);
+  return volumetric == 0 ? by_shear_alone : std::sqrt(third * shear_multiplier * shear_multiplier + Real{2} / 9 * volumetric * volumetric);
 }
 
 }  // namespace slidezone

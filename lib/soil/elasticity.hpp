@@ -6,12 +6,14 @@
 namespace slidezone {
 
 /// Components in the plane, and the normal stress across it. Tension positive.
-struct Stress {
-  double xx = 0;
-  double yy = 0;
-  double zz = 0;
-  double xy = 0;
+template <class Real>
+struct StressOf {
+  Real xx = 0;
+  Real yy = 0;
+  Real zz = 0;
+  Real xy = 0;
 };
+using Stress = StressOf<double>;
 
 struct ElasticModuli {
   double bulk = 0;   // K = E / (3 (1 - 2 nu))

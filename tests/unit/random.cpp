@@ -57,6 +57,21 @@ TEST(PortableMath, TangentIsAccurateNearlyToAQuarterOfATurn) {
   EXPECT_EQ(portable_tangent(0), 0);
 }
 
+TEST(PortableMath, FloatsAreAccurateToTheirLastBits) {
+  for (int i = -870; i <= 880; ++i) {
+    const float x = static_cast<float>(i) * 0.1f;
+    EXPECT_NEAR(portable_exp<RoundedTwice>(x) / std::exp(static_cast<double>(x)), 1, 1.2e-7) << i;
+  }
+  EXPECT_EQ(portable_exp<RoundedTwice>(0.f), 1);
+  EXPECT_GT(portable_exp<RoundedTwice>(-1e9f), 0);
+  for (int i = 1; i <= 1500; ++i) {
+    const float x = static_cast<float>(i) * 0.001f;
+    // Next to a quarter of a turn the difference of cosine and sine loses digits, as in double.
+    EXPECT_NEAR(portable_tangent(x) / std::tan(static_cast<double>(x)), 1, 2e-6) << i;
+  }
+  EXPECT_EQ(portable_tangent(0.f), 0);
+}
+
 // ---- the scheme ----
 
 /// Numbers 2 block and 2 block + 1 as the header defines them, by the C library.

@@ -46,6 +46,24 @@ TEST(ReturnMapping, GivesTheReferencePointOfShear) {
   EXPECT_NEAR(plastic, 2.620747e-4, 5e-11);
 }
 
+TEST(ReturnMapping, IsGoodToTheLastBitsOfAFloat) {
+  const Material soil{.density = 1, .youngs_modulus = 10e6, .poisson_ratio = 0.3, .peak_cohesion = 2000, .residual_cohesion = 2000};
+  const auto constants = soil_constants<float>(soil);
+  const double K = soil_constants(soil).bulk;
+  const double G = soil_constants(soil).shear;
+  const double strain = -0.001;
+  const auto trial = [](double value) { return static_cast<float>(value); };
+  StressOf<float> stress{trial(-5000 + (K + 4 * G / 3) * strain), trial(-6000 + (K - 2 * G / 3) * strain),
+                         trial(-7000 + (K - 2 * G / 3) * strain), -1000};
+  const float plastic = return_to_yield<cohesive>(stress, constants, yield_surface<cohesive>(constants, 2000, 0));
+  // The values of the test above; a float has 2e-3 Pa between neighbours of 16 kPa.
+  EXPECT_NEAR(stress.xx, -16537.46896, 5e-3);
+  EXPECT_NEAR(stress.yy, -12964.30500, 5e-3);
+  EXPECT_NEAR(stress.zz, -13498.22605, 5e-3);
+  EXPECT_NEAR(stress.xy, -533.92105, 1e-3);
+  EXPECT_NEAR(plastic, 2.620747e-4, 1e-9);
+}
+
 TEST(ReturnMapping, LeavesElasticStatesAlone) {
   const SoilConstants soil = soil_constants(frictional());
   const YieldSurface yield = yield_surface<general>(soil, 5e3, 0);

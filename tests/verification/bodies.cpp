@@ -61,7 +61,7 @@ Scheme scheme_named(const std::string& name) {
   const std::size_t first = name.find('_');
   const std::size_t second = std::min(name.find('_', first + 1), name.size());
   return {orders.at(name.substr(0, first)), shapes.at(name.substr(first + 1, second - first - 1)),
-          lockings.at(second < name.size() ? name.substr(second + 1) : ""), 0};
+          lockings.at(second < name.size() ? name.substr(second + 1) : "")};
 }
 
 }  // namespace slidezone

@@ -1,0 +1,2 @@
+s/^step = .*/step = "3e-3 s"/
+$a [method]\nprecision = "single"
