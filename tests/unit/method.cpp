@@ -59,7 +59,7 @@ TEST(Method, BBarGivesAllPointsOfACellOneVolumeChange) {
 }
 
 TEST(Method, BBarKeepsNearlyIncompressibleSoilFromLocking) {
-  // A block of clay slumps under its weight; at nu = 0.499 plain points lock and hardly move (PHYSICS: R 0.6 in place of 17).
+  // A block of clay slumps under its weight; at nu = 0.499 plain points lock and hardly move.
   const auto spread = [](double nu, AntiLocking locking) {
     Material soil{.density = 2000, .youngs_modulus = 1e6, .poisson_ratio = nu, .peak_cohesion = 5e3, .residual_cohesion = 5e3};
     Model model = block(0, 0, 10, 10, soil);

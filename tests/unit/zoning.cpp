@@ -37,7 +37,7 @@ TEST(Boundaries, CarryOrderStatisticIntervals) {
   ASSERT_EQ(found.size(), 4u);
   EXPECT_EQ(found[0].name, "very_high");
   EXPECT_EQ(found[0].distance.value, 500.5);
-  EXPECT_EQ(found[0].distance.interval.low, 469);  // PHYSICS.md's ranks for 1000 runs
+  EXPECT_EQ(found[0].distance.interval.low, 469);  // the binomial's 95 % ranks of the median of 1000 runs
   EXPECT_EQ(found[0].distance.interval.high, 532);
   EXPECT_EQ(found[3].name, "low");
   EXPECT_EQ(found[3].distance.interval.low, 997);
