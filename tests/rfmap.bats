@@ -1,5 +1,6 @@
-# rfmap: random field samples at material points. Numbers are read from the HDF5 files by h5dump.
+# rfmap: random field samples at material points.
 load helper
+load fields
 
 setup_file() {
   cd "$BATS_FILE_TMPDIR"
@@ -11,9 +12,6 @@ setup() {
   scene=$TOP/pipelines/demo/scene.toml
   fields=$BATS_FILE_TMPDIR/fields.h5
 }
-
-# h5_numbers FILE DATASET [h5dump options]: the numbers, one per line.
-h5_numbers() { h5dump -A 0 -y -w 1 -m %.17g -d "$2" "${@:3}" "$1" | sed -n 's/^ *\(-\{0,1\}[0-9][-+.0-9e]*\),\{0,1\}$/\1/p'; }
 
 # ---- contract ----
 
@@ -162,30 +160,7 @@ h5_numbers() { h5dump -A 0 -y -w 1 -m %.17g -d "$2" "${@:3}" "$1" | sed -n 's/^ 
 }
 
 @test "points stand at the residual strength of their own soil, and are counted" {
-  cat >layers.toml <<END
-$(sed '/^\[\[soil\]\]/,/^$/d' "$scene")
-
-[[soil]]
-name = "crust"
-unit_weight = "18 kN/m^3"
-youngs_modulus = "1 MPa"
-poisson_ratio = 0.33
-cohesion = "30 kPa"
-residual_cohesion = "18 kPa"
-softening_threshold = 0.1
-softening_shape = 8
-
-[[soil]]
-name = "clay"
-top = [["0 m", "2 m"], ["30 m", "2 m"]]
-unit_weight = "20 kN/m^3"
-youngs_modulus = "1 MPa"
-poisson_ratio = 0.33
-cohesion = "20 kPa"
-residual_cohesion = "12 kPa"
-softening_threshold = 0.1
-softening_shape = 8
-END
+  two_soils >layers.toml
   rfgen layers.toml -n 1 | rfmap layers.toml - -o points.h5
   paste <(h5_numbers points.h5 /y) <(h5_numbers points.h5 /cohesion) |
     awk '$1 > 2 { if ($2 < 18000) ++below; floored += $2 == 18000 }

@@ -124,7 +124,7 @@ TEST(Proportion, MatchesReferenceIntervals) {
     Interval exact;
     Interval wilson;
   };
-  // Quantiles of the beta distribution and the score equation, by an independent program; given to 10 digits.
+  // Ends at which the binomial's tails are 2.5 %, and those of the score equation; given to 10 digits.
   const Reference references[] = {{0, {0, 0.0036820839}, {0, 0.0038267585}},
                                   {10, {0.0048055107, 0.0183132431}, {0.0054407544, 0.0183094689}},
                                   {500, {0.4685491730, 0.5314508270}, {0.4690696004, 0.5309303996}}};
