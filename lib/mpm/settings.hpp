@@ -75,8 +75,8 @@ struct Scheme {
   UpdateOrder update_order = UpdateOrder::musl;
   ShapeFunctions shape_functions = ShapeFunctions::gimp;
   AntiLocking anti_locking = AntiLocking::none;
-  Precision precision = Precision::double_precision;
   double damping_rate = 0;  // 1/s: how fast point velocities tend to those of the grid; free of the step's length
+  Precision precision = Precision::double_precision;
 };
 
 /// Softening by a strain averaged over neighbours (nonlocal_softening.hpp); without it softening is local and its results

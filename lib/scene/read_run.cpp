@@ -110,8 +110,8 @@ Scheme read_method(const TomlTable& table) {
   method.update_order = choice_or(table, "update_order", update_orders, method.update_order);
   method.shape_functions = choice_or(table, "shape_functions", shape_functions, method.shape_functions);
   method.anti_locking = choice_or(table, "anti_locking", anti_lockings, method.anti_locking);
-  method.precision = choice_or(table, "precision", precisions, method.precision);
   method.damping_rate = table.quantity_or("damping_rate", "s-1", not_negative, method.damping_rate);
+  method.precision = choice_or(table, "precision", precisions, method.precision);
   if (method.anti_locking == AntiLocking::b_bar && method.update_order == UpdateOrder::usf)
     table.fail("anti_locking", "\"B-bar\" averages over cells at the end of a step; take update_order = \"MUSL\" or \"USL\"");
   if (method.shape_functions == ShapeFunctions::linear && method.update_order == UpdateOrder::usl)

@@ -60,8 +60,9 @@ Scheme scheme_named(const std::string& name) {
   static const std::map<std::string, AntiLocking> lockings = {{"", AntiLocking::none}, {"B-bar", AntiLocking::b_bar}};
   const std::size_t first = name.find('_');
   const std::size_t second = std::min(name.find('_', first + 1), name.size());
-  return {orders.at(name.substr(0, first)), shapes.at(name.substr(first + 1, second - first - 1)),
-          lockings.at(second < name.size() ? name.substr(second + 1) : "")};
+  return {.update_order = orders.at(name.substr(0, first)),
+          .shape_functions = shapes.at(name.substr(first + 1, second - first - 1)),
+          .anti_locking = lockings.at(second < name.size() ? name.substr(second + 1) : "")};
 }
 
 }  // namespace slidezone
