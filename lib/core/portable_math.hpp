@@ -25,6 +25,29 @@ inline constexpr double log_two = 0x1.62e42fefa39efp-1;
 /// Adding it to a double of less than 2^51 leaves the nearest integer in the lowest bits.
 inline constexpr double integer_shift = 0x1.8p52;
 
+/// a b + c: rounded twice, the same on every processor; or once where the instruction set can, which is faster.
+struct RoundedTwice {
+  template <class Real>
+  SLIDEZONE_INLINE static Real multiply_add(Real a, Real b, Real c) {
+    return a * b + c;
+  }
+};
+#if defined(__FMA__)
+struct RoundedOnce {
+  SLIDEZONE_INLINE static double multiply_add(double a, double b, double c) { return __builtin_fma(a, b, c); }
+  SLIDEZONE_INLINE static float multiply_add(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
+};
+#else
+using RoundedOnce = RoundedTwice;
+#endif
+
+/// A polynomial by Horner's rule; the coefficient of the highest power comes first.
+template <class Rounding = RoundedTwice, class Real, class... Lower>
+SLIDEZONE_INLINE Real polynomial(Real x, Real highest, Lower... lower) {
+  ((highest = Rounding::multiply_add(highest, x, static_cast<Real>(lower))), ...);
+  return highest;
+}
+
 SLIDEZONE_INLINE double portable_log(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const auto k = static_cast<std::uint64_t>(static_cast<std::int64_t>(bits - std::bit_cast<std::uint64_t>(0x1.6a09e667f3bcdp-1)) >> 52);
@@ -32,125 +55,63 @@ SLIDEZONE_INLINE double portable_log(double x) {
   const double exponent = std::bit_cast<double>(k + std::bit_cast<std::uint64_t>(integer_shift)) - integer_shift;
   const double s = (m - 1) / (m + 1);
   const double t = s * s;
-  double series = 1. / 21;
-  series = series * t + 1. / 19;
-  series = series * t + 1. / 17;
-  series = series * t + 1. / 15;
-  series = series * t + 1. / 13;
-  series = series * t + 1. / 11;
-  series = series * t + 1. / 9;
-  series = series * t + 1. / 7;
-  series = series * t + 1. / 5;
-  series = series * t + 1. / 3;
+  const double series = polynomial(t, 1. / 21, 1. / 19, 1. / 17, 1. / 15, 1. / 13, 1. / 11, 1. / 9, 1. / 7, 1. / 5, 1. / 3);
   return exponent * log_two + (2 * s + 2 * s * (t * series));
 }
 
-/// a b + c: rounded twice, the same on every processor; or once where the instruction set can, which is faster.
-struct RoundedTwice {
-  SLIDEZONE_INLINE static double multiply_add(double a, double b, double c) { return a * b + c; }
-  SLIDEZONE_INLINE static float float_multiply_add(float a, float b, float c) { return a * b + c; }
-};
-struct RoundedOnce {
-#if defined(__FMA__)
-  SLIDEZONE_INLINE static double multiply_add(double a, double b, double c) { return __builtin_fma(a, b, c); }
-  SLIDEZONE_INLINE static float float_multiply_add(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
-#else
-  SLIDEZONE_INLINE static double multiply_add(double a, double b, double c) { return a * b + c; }
-  SLIDEZONE_INLINE static float float_multiply_add(float a, float b, float c) { return a * b + c; }
-#endif
-};
-
 template <class Rounding = RoundedTwice>
 SLIDEZONE_INLINE double portable_exp(double x) {
-  constexpr auto multiply_add = Rounding::multiply_add;
   constexpr double log_two_high = 0x1.62e42fefa38p-1;  // 42 bits: its product with k is exact
   constexpr double log_two_low = 0x1.ef35793c7673p-45;
   x = std::min(std::max(x, -708.), 709.);
-  const double shifted = multiply_add(x, 1 / log_two, integer_shift);
+  const double shifted = Rounding::multiply_add(x, 1 / log_two, integer_shift);
   const double k = shifted - integer_shift;
-  const double r = multiply_add(k, -log_two_low, multiply_add(k, -log_two_high, x));
-  double series = 1. / 6227020800;  // 1/13!
-  series = multiply_add(series, r, 1. / 479001600);
-  series = multiply_add(series, r, 1. / 39916800);
-  series = multiply_add(series, r, 1. / 3628800);
-  series = multiply_add(series, r, 1. / 362880);
-  series = multiply_add(series, r, 1. / 40320);
-  series = multiply_add(series, r, 1. / 5040);
-  series = multiply_add(series, r, 1. / 720);
-  series = multiply_add(series, r, 1. / 120);
-  series = multiply_add(series, r, 1. / 24);
-  series = multiply_add(series, r, 1. / 6);
-  series = multiply_add(series, r, 1. / 2);
-  series = multiply_add(series, r, 1);
-  series = multiply_add(series, r, 1);
+  const double r = Rounding::multiply_add(k, -log_two_low, Rounding::multiply_add(k, -log_two_high, x));
+  // 1/13! ... 1/0!
+  const double series = polynomial<Rounding>(r, 1. / 6227020800, 1. / 479001600, 1. / 39916800, 1. / 3628800, 1. / 362880, 1. / 40320,
+                                             1. / 5040, 1. / 720, 1. / 120, 1. / 24, 1. / 6, 1. / 2, 1, 1);
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(series) + (std::bit_cast<std::uint64_t>(shifted) << 52));
 }
 
 /// The same with the 24 bits of a float, clamped to [exp(-87), exp(88)].
 template <class Rounding, std::same_as<float> Real>
 SLIDEZONE_INLINE Real portable_exp(Real x) {
-  constexpr auto multiply_add = Rounding::float_multiply_add;
   constexpr float shift = 0x1.8p23f;
   constexpr float log_two_high = 0x1.62ep-1f;  // 12 bits: its product with k is exact
   constexpr float log_two_low = static_cast<float>(log_two - 0x1.62ep-1);
   x = std::min(std::max(x, -87.f), 88.f);
-  const float shifted = multiply_add(x, static_cast<float>(1 / log_two), shift);
+  const float shifted = Rounding::multiply_add(x, static_cast<float>(1 / log_two), shift);
   const float k = shifted - shift;
-  const float r = multiply_add(k, -log_two_low, multiply_add(k, -log_two_high, x));
-  float series = 1.f / 5040;
-  series = multiply_add(series, r, 1.f / 720);
-  series = multiply_add(series, r, 1.f / 120);
-  series = multiply_add(series, r, 1.f / 24);
-  series = multiply_add(series, r, 1.f / 6);
-  series = multiply_add(series, r, 1.f / 2);
-  series = multiply_add(series, r, 1);
-  series = multiply_add(series, r, 1);
+  const float r = Rounding::multiply_add(k, -log_two_low, Rounding::multiply_add(k, -log_two_high, x));
+  // 1/7! ... 1/0!
+  const float series = polynomial<Rounding>(r, 1.f / 5040, 1.f / 720, 1.f / 120, 1.f / 24, 1.f / 6, 1.f / 2, 1, 1);
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(series) + (std::bit_cast<std::uint32_t>(shifted) << 23));
 }
 
 SLIDEZONE_INLINE double portable_sine(double x) {
   const double t = x * x;
-  double series = -1. / 1307674368000;  // 1/15!
-  series = series * t + 1. / 6227020800;
-  series = series * t - 1. / 39916800;
-  series = series * t + 1. / 362880;
-  series = series * t - 1. / 5040;
-  series = series * t + 1. / 120;
-  series = series * t - 1. / 6;
+  const double series = polynomial(t, -1. / 1307674368000, 1. / 6227020800, -1. / 39916800, 1. / 362880, -1. / 5040, 1. / 120, -1. / 6);
   return x + x * (t * series);
 }
 
 SLIDEZONE_INLINE double portable_cosine(double x) {
   const double t = x * x;
-  double series = 1. / 20922789888000;  // 1/16!
-  series = series * t - 1. / 87178291200;
-  series = series * t + 1. / 479001600;
-  series = series * t - 1. / 3628800;
-  series = series * t + 1. / 40320;
-  series = series * t - 1. / 720;
-  series = series * t + 1. / 24;
-  series = series * t - 1. / 2;
+  const double series =
+      polynomial(t, 1. / 20922789888000, -1. / 87178291200, 1. / 479001600, -1. / 3628800, 1. / 40320, -1. / 720, 1. / 24, -1. / 2);
   return 1 + t * series;
 }
 
 template <std::same_as<float> Real>
 SLIDEZONE_INLINE Real portable_sine(Real x) {
   const float t = x * x;
-  float series = 1.f / 362880;  // 1/9!
-  series = series * t - 1.f / 5040;
-  series = series * t + 1.f / 120;
-  series = series * t - 1.f / 6;
+  const float series = polynomial(t, 1.f / 362880, -1.f / 5040, 1.f / 120, -1.f / 6);
   return x + x * (t * series);
 }
 
 template <std::same_as<float> Real>
 SLIDEZONE_INLINE Real portable_cosine(Real x) {
   const float t = x * x;
-  float series = -1.f / 3628800;  // 1/10!
-  series = series * t + 1.f / 40320;
-  series = series * t - 1.f / 720;
-  series = series * t + 1.f / 24;
-  series = series * t - 1.f / 2;
+  const float series = polynomial(t, -1.f / 3628800, 1.f / 40320, -1.f / 720, 1.f / 24, -1.f / 2);
   return 1 + t * series;
 }
 
