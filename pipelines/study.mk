@@ -30,18 +30,9 @@
 #
 # What is there is kept only as long as the scene's text, its measurements and the bytes of the tools that made it are the same: rows of two scenes
 # or of two versions never stand in one table.
-SHELL := /bin/bash
-.SHELLFLAGS := -eu -o pipefail -c
-.DELETE_ON_ERROR:
-.SECONDARY:
-MAKEFLAGS += --no-builtin-rules --warn-undefined-variables
-
-here := $(dir $(lastword $(MAKEFILE_LIST)))
-TOOLS ?= $(abspath $(here)../build/bin)
-export PATH := $(TOOLS):$(PATH)
+include $(dir $(lastword $(MAKEFILE_LIST)))rules.mk
 
 SCENE ?= scene.toml
-OUT ?= out
 STRUCTURES ?= $(wildcard structures.tsv)
 Q ?= @
 

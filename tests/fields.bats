@@ -14,7 +14,7 @@ load helper
 }
 
 @test "a model that disagrees fails the target" {
-  cp -r "$TOP/pipelines/fields" "$TOP/pipelines/plots" "$BATS_TEST_TMPDIR"
+  cp -r "$TOP/pipelines/"{fields,plots,rules.mk} "$BATS_TEST_TMPDIR"
   cd "$BATS_TEST_TMPDIR/fields"
   rm -rf out variants/0[2-9]* variants/1*
   printf '# Cut off\n%s\n' 's/^cell = "0.1 m"/&\nmethod = "Karhunen-Loeve"\nvariance_kept = 0.5/' >variants/02-cut-off.sed
