@@ -70,11 +70,13 @@ endef
 
 # ---- the main jobs ------------------------------------------------------------------------------------------------------
 
+with_build = BUILD='$(abspath $(BUILD))'
+
 demo: setup tools
 	@echo "Failing the benchmark slope once, at full resolution"
-	@$(MAKE) --no-print-directory --directory pipelines/benchmark --jobs=$(JOBS)
+	@$(MAKE) --no-print-directory --directory pipelines/benchmark --jobs=$(JOBS) $(with_build)
 	@echo && echo "Failing a small one 24 times, with random strength"
-	@$(MAKE) --no-print-directory --directory pipelines/demo --jobs=$(JOBS)
+	@$(MAKE) --no-print-directory --directory pipelines/demo --jobs=$(JOBS) $(with_build)
 
 check: setup all
 	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error --parallel $(JOBS) --label-exclude slow

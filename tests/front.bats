@@ -135,3 +135,9 @@ run_make() { PATH=$make_path run make --no-print-directory -C "$TOP" PACKAGES="m
   assert_equal "$(<"$calls")" ""
   assert_not_exist "$BATS_TEST_TMPDIR/build"
 }
+
+@test "make demo takes the tools of the build folder that it is given" {
+  PATH=$make_path run make --no-print-directory -C "$TOP" PACKAGES=make BUILD=elsewhere MAKE=echo --dry-run demo
+  assert_success
+  for pipeline in benchmark demo; do assert_line --regexp "^echo .*pipelines/$pipeline .* BUILD='$TOP/elsewhere'\$"; done
+}
