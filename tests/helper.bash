@@ -47,6 +47,19 @@ tsv_value() {
     END { exit !is_found }' || fail "no row ${2:-1} with a column '$1'"
 }
 
+# check_help TOOL: what every tool says of itself, on stdout alone.
+check_help() {
+  run --separate-stderr "$1" --help
+  assert_success
+  assert_output --partial "Example: $1 "
+  assert_output --partial "Exit codes:"
+  assert_equal "$stderr" ""
+  run --separate-stderr "$1" --version
+  assert_success
+  assert_output --regexp "^$1 [0-9]+\.[0-9]+\.[0-9]+$"
+  assert_equal "$stderr" ""
+}
+
 # assert_schema NAME FILE: FILE obeys data-schemas/NAME.json (or .schema.json, for a scene).
 assert_schema() {
   local description=$TOP/data-schemas/$1.json

@@ -33,16 +33,7 @@ use_of() { mpmrun changed.toml --explain | awk -F'\t' -v part="$1" '$1 == part {
   assert_equal "$(use_of 'friction on the base')" no
 }
 
-@test "--help and --version go to stdout" {
-  run --separate-stderr mpmrun --help
-  assert_success
-  assert_output --partial "Example: mpmrun pipelines/benchmark/scene.toml"
-  assert_output --partial "Exit codes:"
-  assert_equal "$stderr" ""
-  run --separate-stderr mpmrun --version
-  assert_success
-  assert_output --regexp '^mpmrun [0-9]+\.[0-9]+\.[0-9]+$'
-}
+@test "--help and --version go to stdout" { check_help mpmrun; }
 
 @test "wrong command lines exit 64" {
   for options in "" "$scene --no-such-option" "$scene --sample 1" "$scene --points p.h5 --sample 0" "$scene --points p.h5 --sample 010" \

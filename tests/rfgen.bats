@@ -4,16 +4,7 @@ load fields
 
 # ---- contract ----
 
-@test "--help and --version go to stdout" {
-  run --separate-stderr rfgen --help
-  assert_success
-  assert_output --partial "Example: rfgen"
-  assert_equal "$stderr" ""
-  run --separate-stderr rfgen --version
-  assert_success
-  assert_output --regexp '^rfgen [0-9]'
-  assert_equal "$stderr" ""
-}
+@test "--help and --version go to stdout" { check_help rfgen; }
 
 @test "wrong command lines exit 64" {
   run rfgen

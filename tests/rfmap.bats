@@ -15,16 +15,7 @@ setup() {
 
 # ---- contract ----
 
-@test "--help and --version go to stdout" {
-  run --separate-stderr rfmap --help
-  assert_success
-  assert_output --partial "Example: rfmap"
-  assert_equal "$stderr" ""
-  run --separate-stderr rfmap --version
-  assert_success
-  assert_output --regexp '^rfmap [0-9]'
-  assert_equal "$stderr" ""
-}
+@test "--help and --version go to stdout" { check_help rfmap; }
 
 @test "wrong command lines exit 64" {
   for arguments in "" "$scene" "$scene $fields --outptu x"; do

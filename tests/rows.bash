@@ -29,14 +29,7 @@ ladder() {
 # What every tool that reads rows does with a command line and a table that are wrong: check_contract TOOL.
 check_contract() {
   local tool=$1
-  run --separate-stderr "$tool" --help
-  assert_success
-  assert_output --partial "Example: "
-  assert_equal "$stderr" ""
-  run --separate-stderr "$tool" --version
-  assert_success
-  assert_output --regexp "^$tool [0-9]+\.[0-9]+\.[0-9]+$"
-  assert_equal "$stderr" ""
+  check_help "$tool"
   run --separate-stderr "$tool" --no-such-option
   assert_failure 64
   assert_equal "$output" ""
