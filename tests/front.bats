@@ -50,6 +50,14 @@ run_make() { PATH=$make_path run make --no-print-directory -C "$TOP" PACKAGES="m
   done
 }
 
+@test "links of every README lead to files" {
+  cd "$TOP"
+  local readme link
+  for readme in README.md pipelines/*/README.md; do
+    for link in $(grep -oE '\]\([^)]*\)' "$readme" | tr -d ']()' | sed 's/#.*//' | grep -v '^http'); do assert_exists "$(dirname "$readme")/$link"; done
+  done
+}
+
 @test "the pipe in README runs as pasted" {
   cd "$BATS_TEST_TMPDIR"
   ln -s "$SLIDEZONE_BUILD" build
