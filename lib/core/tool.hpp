@@ -1,7 +1,7 @@
 // The frame of every tool: command line, messages, exit code.
 //
 // A tool declares its options on a CLI::App and hands over to tool_main(), which parses, runs, catches the one error
-// type, flushes and checks stdout, and returns the exit code of STYLE: 0, 64, 65, 66, 70, 73 or 74.
+// type, flushes and checks stdout, and returns the exit code (core/error.hpp).
 #pragma once
 
 #include <cstdint>

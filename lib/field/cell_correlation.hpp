@@ -24,10 +24,10 @@ class CellCorrelation {
   bool is_separable() const { return is_separable_; }
 
  private:
-  FieldMesh mesh_;
-  Correlation correlation_;
   double average_along(std::vector<double>& known, double length, double k) const;
 
+  FieldMesh mesh_;
+  Correlation correlation_;
   std::optional<Nataf> nataf_;  // where the correlation given is that of the values
   bool is_separable_;
   bool is_averaged_;

@@ -289,21 +289,6 @@ const std::string& Hdf5Reader::name() const { return state_->name; }
 
 bool Hdf5Reader::has(const std::string& path) const { return H5Lexists(state_->file, path.c_str(), H5P_DEFAULT) > 0; }
 
-std::vector<std::string> Hdf5Reader::members(const std::string& group) const {
-  const Handle owner = state_->object(group);
-  H5G_info_t info{};
-  if (H5Gget_info(owner, &info) < 0) state_->fail("'" + group + "' is not a group");
-  std::vector<std::string> names;
-  for (hsize_t i = 0; i < info.nlinks; ++i) {
-    const ssize_t size = H5Lget_name_by_idx(owner, ".", H5_INDEX_NAME, H5_ITER_INC, i, nullptr, 0, H5P_DEFAULT);
-    if (size < 0) state_->fail("'" + group + "' is damaged");
-    std::string name(static_cast<std::size_t>(size), '\0');
-    H5Lget_name_by_idx(owner, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size() + 1, H5P_DEFAULT);
-    names.push_back(name);
-  }
-  return names;
-}
-
 std::string Hdf5Reader::text_attribute(const std::string& path, const std::string& name) const {
   const Handle attribute = state_->attribute(path, name);
   const Handle type(H5Aget_type(attribute), H5Tclose);

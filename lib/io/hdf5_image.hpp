@@ -78,7 +78,6 @@ class Hdf5Reader {
 
   const std::string& name() const;
   bool has(const std::string& path) const;
-  std::vector<std::string> members(const std::string& group) const;
 
   std::string text_attribute(const std::string& path, const std::string& name) const;
   double real_attribute(const std::string& path, const std::string& name) const;

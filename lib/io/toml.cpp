@@ -79,12 +79,6 @@ void TomlTable::check_keys(const std::vector<std::string>& known) const {
 
 bool TomlTable::has(const std::string& key) const { return node_->table->contains(key); }
 
-std::vector<std::string> TomlTable::keys() const {
-  std::vector<std::string> names;
-  for (const auto& [key, value] : *node_->table) names.emplace_back(key.str());
-  return names;
-}
-
 Location TomlTable::where() const { return location(node_->file_name, node_->table->source()); }
 
 Location TomlTable::where(const std::string& key) const {
@@ -243,13 +237,6 @@ std::string TomlTable::text(const std::string& key) const {
   return *value;
 }
 
-bool TomlTable::truth(const std::string& key) const {
-  const toml::node& node = required(*node_->table, *this, node_->table_name, key);
-  const auto value = node.value_exact<bool>();
-  if (!value) fail(key, "wants true or false, found " + description(node));
-  return *value;
-}
-
 std::string TomlTable::choice(const std::string& key, const std::vector<std::string>& names) const {
   const std::string value = text(key);
   if (std::find(names.begin(), names.end(), value) != names.end()) return value;
@@ -283,8 +270,6 @@ double TomlTable::number_or(const std::string& key, Range range, double absent) 
 std::uint64_t TomlTable::whole_or(const std::string& key, std::uint64_t least, std::uint64_t most, std::uint64_t absent) const {
   return has(key) ? whole(key, least, most) : absent;
 }
-
-bool TomlTable::truth_or(const std::string& key, bool absent) const { return has(key) ? truth(key) : absent; }
 
 std::string TomlTable::choice_or(const std::string& key, const std::vector<std::string>& names, const std::string& absent) const {
   return has(key) ? choice(key, names) : absent;

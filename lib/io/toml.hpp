@@ -38,7 +38,6 @@ class TomlTable {
   void check_keys(const std::vector<std::string>& known) const;
 
   bool has(const std::string& key) const;
-  std::vector<std::string> keys() const;
 
   /// The sub-table; required. Where it may be absent, ask has() first.
   TomlTable table(const std::string& key) const;
@@ -51,7 +50,6 @@ class TomlTable {
   double number(const std::string& key, Range range) const;
   std::uint64_t whole(const std::string& key, std::uint64_t least, std::uint64_t most) const;
   std::string text(const std::string& key) const;
-  bool truth(const std::string& key) const;
   std::string choice(const std::string& key, const std::vector<std::string>& names) const;
   /// One quantity for both axes, "0.2 m", or one for each, ["0.2 m", "0.1 m"] (x, y).
   Vec2 quantity_pair(const std::string& key, const std::string& unit, Range range) const;
@@ -68,7 +66,6 @@ class TomlTable {
   double quantity_or(const std::string& key, const std::string& unit, Range range, double absent) const;
   double number_or(const std::string& key, Range range, double absent) const;
   std::uint64_t whole_or(const std::string& key, std::uint64_t least, std::uint64_t most, std::uint64_t absent) const;
-  bool truth_or(const std::string& key, bool absent) const;
   std::string choice_or(const std::string& key, const std::vector<std::string>& names, const std::string& absent) const;
 
   /// Whether the key is there and its value a list.

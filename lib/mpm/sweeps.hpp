@@ -3,7 +3,7 @@
 //
 //   sweep A   velocity gradient from the last step's node velocities, stress (Jaumann rate, Drucker-Prager), move;
 //             then mass, momentum and internal force to the nodes
-//   (nodes)   momentum and force -> velocity and its change: node_update.hpp
+//   (nodes)   momentum and force -> velocity and its change: nodes.hpp
 //   sweep B   velocity change and movement from the nodes; then the new momentum to the nodes
 //   (nodes)   new momentum -> node velocities, for the next sweep A
 //

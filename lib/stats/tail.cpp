@@ -74,10 +74,6 @@ std::optional<TailFit> tail_fit(std::span<const double> values) {
   return fit;
 }
 
-double tail_exceedance(const TailFit& fit, double x) {
-  return fit.share * std::exp(-exponential_variate((x - fit.threshold) / fit.scale, fit.shape));
-}
-
 /// The least cost of all fits whose quantile is `distance` above the threshold: the shape is searched by golden section.
 static double profile_cost(std::span<const double> exceedances, double ratio, double distance) {
   const auto at = [&](double shape) { return cost(exceedances, distance / scaled_quantile(ratio, shape), shape); };

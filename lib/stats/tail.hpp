@@ -34,9 +34,6 @@ inline constexpr std::size_t least_exceedances = 30;
 /// half of the values do not give that many, or equal values leave nothing to fit.
 std::optional<TailFit> tail_fit(std::span<const double> values);
 
-/// P(X > x) for x at or above the threshold.
-double tail_exceedance(const TailFit& fit, double x);
-
 /// The value that is exceeded with probability p < fit.share, with its profile interval; `values` are those that were fitted.
 Estimate tail_quantile(const TailFit& fit, std::span<const double> values, double p);
 

@@ -7,7 +7,7 @@
 //   very_high  P > 0.5      high  0.1 < P <= 0.5      medium  0.01 < P <= 0.1      low  0.001 < P <= 0.01      very_low  P <= 0.001
 // The boundary of a class is its far end; very_low has none. A sample of n runs knows a boundary p only where some n p >= 4 runs lie
 // beyond it (95 %): otherwise its interval has no upper end.
-// Bands are pointwise (each holds for one distance alone with 95 %) or simultaneous (for the whole curve at once); see interval.hpp.
+// Bands are pointwise (each holds for one distance alone with 95 %) or simultaneous (for the whole curve at once); see stats/interval.hpp.
 #pragma once
 
 #include <span>

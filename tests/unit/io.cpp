@@ -266,7 +266,7 @@ TEST(Hdf5, ReadsBackWhatWasWritten) {
   EXPECT_EQ(reader.shape("g/v"), (std::vector<std::size_t>{2, 300}));
   EXPECT_EQ(reader.reals("g/v")[301], 301.0 / 7);
   EXPECT_EQ(reader.reals("g/v", 1)[1], 301.0 / 7);
-  EXPECT_EQ(reader.members("g"), std::vector<std::string>{"v"});
+  EXPECT_TRUE(reader.has("g/v"));
   EXPECT_FALSE(reader.has("g/w"));
 }
 
