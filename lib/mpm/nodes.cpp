@@ -136,6 +136,11 @@ static NodeVelocity<Real> velocity_of(std::vector<Real>& pairs, std::size_t node
 }
 
 template <class Real>
+static Vec2 pair_at(const std::vector<Real>& pairs, std::size_t node) {
+  return {pairs[2 * node], pairs[2 * node + 1]};
+}
+
+template <class Real>
 static void hold_at_wall(NodeVelocity<Real> velocity, Wall wall) {
   if (wall == Wall::open) return;
   velocity.x = 0;
@@ -212,31 +217,43 @@ static void add_to_change(NodesOf<Real>& nodes, std::size_t node, Vec2 free) {
   nodes.change[2 * node + 1] += static_cast<Real>(nodes.velocity[2 * node + 1] - free.y);
 }
 
-/// Base contact with friction; returns friction's work.
+static double along(Vec2 tangent, Vec2 v) { return tangent.x * v.x + tangent.y * v.y; }
+
+/// Remembers what friction did to a node whose velocity would have been `free`; before add_to_change.
 template <class Real>
-static double touch_base(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings) {
-  double work = 0;
+static void remember_friction(NodesOf<Real>& nodes, std::size_t node, Vec2 free, Vec2 tangent, const NodeSettings& settings, Vec2 gravity) {
+  const double would_be = along(tangent, free);
+  const double left = along(tangent, pair_at(nodes.velocity, node));
+  const double change = along(tangent, pair_at(nodes.change, node));
+  const double fall = settings.step * along(tangent, gravity);
+  nodes.frictions.push_back({.node = node,
+                             .tangent = tangent,
+                             .impulse = nodes.mass[node] * (left - would_be),
+                             .force = nodes.mass[node] * (change - fall),
+                             .before = would_be - change,
+                             .after = left});
+}
+
+/// Base contact with friction.
+template <class Real>
+static void touch_base(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings, Vec2 gravity) {
   for_nodes_on_base(nodes, box, [&](std::size_t node) {
     const NodeVelocity<Real> velocity = velocity_of(nodes.velocity, node);
     const Vec2 free = {velocity.x, velocity.y};
     hold_at_base(velocity, settings.boundaries.base);
     if (settings.boundaries.base != BaseContact::stick)
       velocity.x = static_cast<Real>(rubbed(free.x, std::max(0.0, -free.y), settings.boundaries.base_friction));
-    const double before = free.x - nodes.change[2 * node];
-    const double arrested = velocity.x == 0 ? 0.5 * before * before : 0;
-    work += nodes.mass[node] * ((free.x - velocity.x) * velocity.x + arrested);
+    remember_friction(nodes, node, free, {1, 0}, settings, gravity);
     add_to_change(nodes, node, free);
   });
-  return work;
 }
 
 /// Two-body contact at one row of nodes: where soil approaches the base along the normal, that part of its velocity is taken
-/// away, and friction acts on the rest. Returns friction's work.
+/// away, and friction acts on the rest.
 template <class Real>
-static double touch_body(NodesOf<Real>& nodes, const NodeBox& box, int row, const std::vector<Vec2>& normals,
-                         const NodeSettings& settings) {
-  if (row < box.first_row || row >= box.last_row) return 0;
-  double work = 0;
+static void touch_body(NodesOf<Real>& nodes, const NodeBox& box, int row, const std::vector<Vec2>& normals, const NodeSettings& settings,
+                       Vec2 gravity) {
+  if (row < box.first_row || row >= box.last_row) return;
   for (int column = box.first_column; column < box.last_column; ++column) {
     const std::size_t node = nodes.storage.index(column, row);
     const NodeVelocity<Real> velocity = velocity_of(nodes.velocity, node);
@@ -244,14 +261,13 @@ static double touch_body(NodesOf<Real>& nodes, const NodeBox& box, int row, cons
     const Vec2 normal = normals[static_cast<std::size_t>(column)];
     const double approach = free.x * normal.x + free.y * normal.y;
     if (approach <= 0) continue;
-    const double along = free.y * normal.x - free.x * normal.y;  // tangent (-n_y, n_x)
-    const double left = rubbed(along, approach, settings.boundaries.base_friction);
-    velocity.x = static_cast<Real>(-normal.y * left);
-    velocity.y = static_cast<Real>(normal.x * left);
-    work += nodes.mass[node] * (along - left) * left;
+    const Vec2 tangent = {-normal.y, normal.x};
+    const double left = rubbed(along(tangent, free), approach, settings.boundaries.base_friction);
+    velocity.x = static_cast<Real>(left * tangent.x);
+    velocity.y = static_cast<Real>(left * tangent.y);
+    remember_friction(nodes, node, free, tangent, settings, gravity);
     add_to_change(nodes, node, free);
   }
-  return work;
 }
 
 template <class Real>
@@ -289,13 +305,14 @@ NodeEnergies update_velocities(NodesOf<Real>& nodes, const NodeBox& box, Vec2 gr
                      static_cast<Real>(settings.step));
   });
   touch_walls(nodes, box, settings);
-  NodeEnergies energies;
+  nodes.frictions.clear();
   if (settings.boundaries.base == BaseContact::two_body) {
-    energies.friction_work = touch_body(nodes, box, NodeStorage::padding, contact.top, settings) +
-                             touch_body(nodes, box, NodeStorage::padding - 1, contact.below, settings);
+    touch_body(nodes, box, NodeStorage::padding, contact.top, settings, gravity);
+    touch_body(nodes, box, NodeStorage::padding - 1, contact.below, settings, gravity);
   } else {
-    energies.friction_work = touch_base(nodes, box, settings);
+    touch_base(nodes, box, settings, gravity);
   }
+  NodeEnergies energies;
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
     const Motion motion = motion_of(nodes.mass.data() + first, nodes.velocity.data() + 2 * first, count);
     energies.gravity_work += settings.step * (gravity.x * motion.momentum.x + gravity.y * motion.momentum.y);
@@ -323,6 +340,7 @@ void update_new_velocities(NodesOf<Real>& nodes, const NodeBox& box, const NodeS
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
     divide_by_mass(nodes.mass.data() + first, nodes.new_velocity.data() + 2 * first, count, static_cast<Real>(settings.least_mass));
   });
+  for (NodeFriction& friction : nodes.frictions) friction.after = along(friction.tangent, pair_at(nodes.new_velocity, friction.node));
   const auto hold = [&](Wall wall) {
     return [&nodes, wall](std::size_t node) { hold_at_wall(velocity_of(nodes.new_velocity, node), wall); };
   };
@@ -336,6 +354,16 @@ void update_new_velocities(NodesOf<Real>& nodes, const NodeBox& box, const NodeS
   });
   for_each_image(nodes, box, settings,
                  [&](std::size_t behind, std::size_t before, Mirror mirror) { reflect_pairs(nodes.new_velocity, behind, before, mirror); });
+}
+
+template <class Real>
+double friction_work(const NodesOf<Real>& nodes) {
+  double work = 0;
+  for (const NodeFriction& friction : nodes.frictions) {
+    const double held = along(friction.tangent, pair_at(nodes.new_velocity, friction.node));
+    work += friction.force * (held - friction.after) - 0.5 * friction.impulse * (friction.before + friction.after);
+  }
+  return work;
 }
 
 // ---- for both precisions ------------------------------------------------------------------------------------------------
@@ -358,5 +386,7 @@ template void copy_velocities(NodesOf<double>&, const NodeBox&);
 template void copy_velocities(NodesOf<float>&, const NodeBox&);
 template void update_new_velocities(NodesOf<double>&, const NodeBox&, const NodeSettings&);
 template void update_new_velocities(NodesOf<float>&, const NodeBox&, const NodeSettings&);
+template double friction_work(const NodesOf<double>&);
+template double friction_work(const NodesOf<float>&);
 
 }  // namespace slidezone

@@ -13,6 +13,16 @@
 
 namespace slidezone {
 
+/// What friction did to a node in the step, along `tangent`.
+struct NodeFriction {
+  std::size_t node;
+  Vec2 tangent;
+  double impulse;  // of friction, N s/m
+  double force;    // internal force times the step, N s/m
+  double before;   // m/s, of the points on the node before the step
+  double after;    // m/s, of the points after it: new_velocity before walls and base hold it
+};
+
 template <class Real>
 struct NodesOf {
   explicit NodesOf(NodeStorage where);
@@ -22,13 +32,13 @@ struct NodesOf {
   std::vector<Real> velocity;      // m/s; summed as momentum
   std::vector<Real> change;        // m/s, change of velocity over the step; summed as internal force
   std::vector<Real> new_velocity;  // m/s, of the moved points; summed as their momentum
+  std::vector<NodeFriction> frictions;
 };
 
 /// Work and energy of one step, J/m.
 struct NodeEnergies {
   double gravity_work = 0;
-  double friction_work = 0;  // taken from the soil, >= 0
-  double kinetic = 0;        // of the node velocities
+  double kinetic = 0;  // of the node velocities
 };
 
 /// Nodes lighter than this part of a point's mass carry no velocity: the quotients there are noise.
@@ -72,9 +82,7 @@ void fold_mass(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& set
 
 /// velocity = momentum / mass + change with change = dt (force / mass + gravity), then boundaries: a velocity that a wall
 /// or the base forbids is taken away, and the base takes the friction impulse, at most mu times the normal impulse
-/// max(0, -m v_y) of the unhindered motion (Coulomb; once per step).
-/// Friction's work is the impulse times the velocity that is left: with the mean of before and after, soil at rest would
-/// seem to heat the base. A node that friction stops gives up the kinetic energy that it came with as well.
+/// max(0, -m v_y) of the unhindered motion (Coulomb; once per step). Remembers what friction did to each node.
 /// A two-body base acts on the nodes that `contact` names, along its normals.
 /// After fold_mass.
 template <class Real>
@@ -90,5 +98,12 @@ void copy_velocities(NodesOf<Real>& nodes, const NodeBox& box);
 /// happen, and stiff soil at rest on a rough base would begin to shake. After fold_mass.
 template <class Real>
 void update_new_velocities(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings);
+
+/// What friction took from the soil in the step, J/m, once new_velocity is what strains the soil. An impulse J on a node changes the
+/// kinetic energy of the points by J (v_before + v_after) / 2 exactly, with the velocities that points have on the node; and where
+/// friction holds a node that they would move, the internal force f does less work, by f dt (v_after - v_held). The velocity of the
+/// node itself will not do for either: it is 0 where points above a held node slide on.
+template <class Real>
+double friction_work(const NodesOf<Real>& nodes);
 
 }  // namespace slidezone

@@ -140,7 +140,6 @@ class Run {
     if (reaches_edge() && has_left_grid()) return stop(Ending::left_domain, time);
     const NodeEnergies energies = update_velocities(nodes_, box_, gravity(time), settings_, contact());
     audit_.gravity_work += energies.gravity_work;
-    audit_.friction_work += energies.friction_work;
     grid_kinetic_ = energies.kinetic;
     if (!std::isfinite(grid_kinetic_)) return stop(Ending::diverged, time);
     follow_nodes();
@@ -251,6 +250,7 @@ class Run {
       audit_.damping_work += strips_.stay(sweeps_.gather, data());
       copy_velocities(nodes_, box_);
     }
+    audit_.friction_work += friction_work(nodes_);
   }
 
   /// Stress and movement of the step in progress.

@@ -3,9 +3,9 @@
 // Step limit: dt <= a min(cell) / c with c = sqrt(M / rho) the speed of plane waves, M the constrained modulus, and a <= 1 what the
 // method allows (stable_part.hpp; 1 for the default).
 // Energy audit: work of gravity = internal work + friction work + damping + kinetic energy of the points. What does not close is the
-// error; it is the guard that sees an unstable step while all numbers still look plausible. It is measured by the work of
-// gravity or, where the soil hardly sinks, by what it started with: its kinetic energy, and the work that gravity would do on
-// it over a thousandth of its height.
+// error; it is the guard that sees an unstable step while all numbers still look plausible. What the base takes or gives by pressing
+// is error too: it does not move, so it should do no work. The error is measured by the work of gravity or, where the soil hardly
+// sinks, by what it started with: its kinetic energy, and the work that gravity would do on it over a thousandth of its height.
 // Rest: see rest_watch.hpp.
 // Ends: `diverged` names point, step and time; a point outside the grid ends the run as `left_domain`.
 #pragma once
