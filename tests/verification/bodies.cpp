@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
+#include <stdexcept>
 
 namespace slidezone {
 
@@ -57,12 +59,22 @@ Scheme scheme_named(const std::string& name) {
   static const std::map<std::string, UpdateOrder> orders = {
       {"MUSL", UpdateOrder::musl}, {"USL", UpdateOrder::usl}, {"USF", UpdateOrder::usf}};
   static const std::map<std::string, ShapeFunctions> shapes = {{"GIMP", ShapeFunctions::gimp}, {"linear", ShapeFunctions::linear}};
-  static const std::map<std::string, AntiLocking> lockings = {{"", AntiLocking::none}, {"B-bar", AntiLocking::b_bar}};
-  const std::size_t first = name.find('_');
-  const std::size_t second = std::min(name.find('_', first + 1), name.size());
-  return {.update_order = orders.at(name.substr(0, first)),
-          .shape_functions = shapes.at(name.substr(first + 1, second - first - 1)),
-          .anti_locking = lockings.at(second < name.size() ? name.substr(second + 1) : "")};
+  std::istringstream words(name);
+  const auto next = [&words] {
+    std::string word;
+    std::getline(words, word, '_');
+    return word;
+  };
+  Scheme scheme{.update_order = orders.at(next()), .shape_functions = shapes.at(next())};
+  for (std::string word = next(); !word.empty(); word = next()) {
+    if (word == "B-bar")
+      scheme.anti_locking = AntiLocking::b_bar;
+    else if (word == "single")
+      scheme.precision = Precision::single_precision;
+    else
+      throw std::out_of_range(word);
+  }
+  return scheme;
 }
 
 }  // namespace slidezone

@@ -25,8 +25,8 @@ Material elastic_soil(double density, double youngs_modulus, double poisson_rati
 
 double kinetic_energy_of(const Points& points);
 
-/// A method by its name: update order and shape functions as scenes call them, and B-bar, like "MUSL_GIMP" and "USL_GIMP_B-bar".
-/// Throws std::out_of_range for a name that does not exist.
+/// A method by its name: update order and shape functions as scenes call them, then B-bar and single if wanted, like "MUSL_GIMP" and
+/// "USL_GIMP_B-bar_single". Throws std::out_of_range for a name that does not exist.
 Scheme scheme_named(const std::string& name);
 
 }  // namespace slidezone
