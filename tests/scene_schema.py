@@ -333,9 +333,9 @@ READER_ALONE = [
     ("layers", 'dilation_angle = "5 deg"', 'dilation_angle = @"31 deg"', "'dilation_angle' wants at most 'friction_angle', found \"31 deg\""),
     ("cut", '"35 deg"', '@"90 deg"', "'friction_angle' wants at least 0 and below 90 deg, found \"90 deg\""),
     ("cut", '"10 kPa"', '@"0 kPa"', "'cohesion' wants more than 0 Pa in a soil without friction"),
-    ("layers", "softening_shape = 8\n", "", "no key 'softening_shape' in [soil]"),
+    ("layers", 'residual_cohesion = "4 kPa"\nsoftening_shape = 8\n', 'residual_cohesion = @"4 kPa"\n', "'residual_cohesion' below the peak wants 'softening_shape' beside it"),
     ("layers", "softening_shape = 8\n", "softening_shape = @0\n", "'softening_shape' wants a number above 0, found 0"),
-    ("layers", "softening_shape = 5\n", "", "no key 'softening_shape' in [soil]"),
+    ("layers", re.compile(r'= "25 deg"(.*?)softening_shape = 5\n', re.S), r'= @"25 deg"\1', "'residual_friction_angle' below the peak wants 'softening_shape' beside it"),
     ("layers", '["14 m", "1 m"]', '@["-14 m", "1 m"]', "'top' wants points from left to right"),
     # time and fields
     ("layers", '"1 min"', '@"1 s"', "'end' wants at least the 2 s over which gravity grows, found 1 s"),

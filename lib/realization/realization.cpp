@@ -100,6 +100,15 @@ static bool differs_beyond_peak_cohesion(const std::vector<Material>& soils, con
   return false;
 }
 
+/// The limit of the step depends on each point's soil, and so is known only now.
+static void check_step(const Model& model, const Scene& scene) {
+  try {
+    time_step(model);
+  } catch (const Error& error) {
+    throw Error(error.code(), scene.name + ": [time]: " + error.what());
+  }
+}
+
 Model model_of(const Scene& scene, const MaterialPoints& points, const std::optional<FieldSample>& sample) {
   Model model;
   model.grid = scene.discretization.grid;
@@ -127,6 +136,7 @@ Model model_of(const Scene& scene, const MaterialPoints& points, const std::opti
   }
   if (differs_beyond_peak_cohesion(soils, scene, points)) model.point_soils = std::move(soils);
   if (scene.gravity.protocol == GravityProtocol::k0) start_from_k0(model);
+  check_step(model, scene);
   return model;
 }
 

@@ -28,7 +28,7 @@ struct FieldSample {
 FieldSample field_sample(std::string_view image, const std::string& name, const MaterialPoints& points, std::uint64_t realization);
 
 /// The model that a scene describes, with the sample's values held within the limits of each point's soil. K0 start: vertical stress by the
-/// weight of the points above in the same column, horizontal k0 times that.
+/// weight of the points above in the same column, horizontal k0 times that. Throws for a time step beyond the stability limit.
 Model model_of(const Scene& scene, const MaterialPoints& points, const std::optional<FieldSample>& sample);
 
 /// The energy balance is judged by these parts of gravity's work: beyond the first the row deserves a warning, beyond the

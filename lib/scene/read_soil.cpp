@@ -40,6 +40,9 @@ static void read_strength(const TomlTable& table, Material& soil) {
 static void read_softening(const TomlTable& table, Material& soil) {
   const bool softens = soil.residual_cohesion < soil.peak_cohesion || soil.residual_friction_angle < soil.peak_friction_angle;
   soil.softening_threshold = table.number_or("softening_threshold", not_negative, soil.softening_threshold);
+  if (softens && !table.has("softening_shape"))
+    table.fail(soil.residual_cohesion < soil.peak_cohesion ? "residual_cohesion" : "residual_friction_angle",
+               "below the peak wants 'softening_shape' beside it, how fast strength falls with plastic strain");
   if (softens)
     soil.softening_shape = table.number("softening_shape", positive);
   else
