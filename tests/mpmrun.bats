@@ -308,7 +308,29 @@ slow() { edited "s/^mean = .*/mean = \"3 kPa\"/; s/^protocol = .*/protocol = \"r
   edited 's/^step_fraction = .*//; s/^end = .*/&\nstep = "1 s"/'
   run --separate-stderr mpmrun changed.toml
   assert_failure 65
-  assert_regex "$stderr" 'time step of 1 s is beyond the stability limit of '
+  assert_regex "$stderr" '^mpmrun: changed.toml: \[time\]: the time step of 1 s is beyond the stability limit of '
+}
+
+@test "values that are most likely slips are said before the run" {
+  edited 's|^unit_weight = .*|unit_weight = "20 N/m^3"|'
+  run --separate-stderr mpmrun changed.toml --explain
+  assert_equal "$stderr" 'mpmrun: warning: soil "clay" weighs 0.02 kN/m^3; is the unit right?'
+  edited 's/^friction = .*/friction = 30/'
+  run --separate-stderr mpmrun changed.toml --explain
+  assert_regex "$stderr" '^mpmrun: warning: friction on the base is a coefficient, .*: 30 is that of 88.1 degrees$'
+  edited 's/^cohesion = .*/cohesion = "20 MPa"/'
+  run --separate-stderr mpmrun changed.toml --explain
+  assert_equal "$stderr" 'mpmrun: note: soil "clay" hardly ever yields: its cohesion is 20000 kPa, its Young'"'"'s modulus 1000 kPa'
+  run --separate-stderr mpmrun "$scene" --explain
+  assert_equal "$stderr" ""
+}
+
+@test "a slope that leaves the grid and loses its energy balance is told both" {
+  edited 's/^width = .*/width = "5.5 m"/; s/^youngs_modulus = .*/youngs_modulus = "10 kPa"/
+    s/^cohesion = .*/cohesion = "0.02 kPa"/; s/^residual_cohesion = .*/residual_cohesion = "0.01 kPa"/; /^\[field/,/^$/d'
+  run --separate-stderr mpmrun changed.toml
+  assert_equal "$(tsv_value status <<<"$output")" diverged
+  assert_regex "$stderr" 'warning: left the domain: .*warning: diverged: the energy balance misses [0-9.]+ % of the work done after step '
 }
 
 # ---- the benchmark ----

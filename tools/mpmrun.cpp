@@ -21,6 +21,7 @@
 #include "io/file.hpp"
 #include "io/units.hpp"
 #include "io/vtkhdf.hpp"
+#include "realization/doubts.hpp"
 #include "realization/explanation.hpp"
 #include "realization/in_situ.hpp"
 #include "realization/realization.hpp"
@@ -90,25 +91,20 @@ static double frame_interval(const std::string& every) {
   throw Error(ExitCode::usage, "--every wants a time above 0, found \"" + every + "\"");
 }
 
-/// Cells without B-bar are far too stiff for soil that hardly changes its volume: a slope stands that should slide.
-static void warn_of_locking(const Scene& scene) {
-  constexpr double most = 0.45;  // pipelines/verification/README.md
-  if (scene.method.anti_locking != AntiLocking::none) return;
-  for (const Layer& layer : scene.layers)
-    if (layer.material.poisson_ratio > most)
-      warn("cells lock in soil \"" + layer.name + "\" with its Poisson's ratio of " + format_brief(layer.material.poisson_ratio) +
-           ", above " + format_brief(most) + ": write anti_locking = \"B-bar\" in [method]");
+static void report_doubts(const Doubts& doubts) {
+  for (const std::string& text : doubts.warnings) warn(text);
+  for (const std::string& text : doubts.notes) note(text);
 }
 
 static void report_trouble(const Row& row, const Outcome& outcome) {
-  const std::string percent = format_brief(100 * std::abs(row.energy_error), 3) + " % of the work done";
-  if (!outcome.trouble.empty())
-    warn((outcome.ending == Ending::diverged ? "diverged: " : "left the domain: ") + outcome.trouble);
-  else if (row.status == Status::diverged)
-    warn("diverged: the energy balance misses " + percent + " after step " + std::to_string(outcome.steps) + ", time " +
-         format_brief(outcome.time) + " s; take a smaller time step");
+  if (!outcome.trouble.empty()) warn((outcome.ending == Ending::diverged ? "diverged: " : "left the domain: ") + outcome.trouble);
+  if (outcome.ending == Ending::diverged) return;
+  const std::string missed = "the energy balance misses " + format_brief(100 * std::abs(row.energy_error), 3) + " % of the work done";
+  if (row.status == Status::diverged)
+    warn("diverged: " + missed + " after step " + std::to_string(outcome.steps) + ", time " + format_brief(outcome.time) +
+         " s; take a smaller time step");
   else if (std::abs(row.energy_error) > energy_error_warning)
-    warn("the energy balance misses " + percent + "; take a smaller time step");
+    warn(missed + "; take a smaller time step");
 }
 
 static void make_stage(const Options& options, const Scene& scene, const MaterialPoints& points) {
@@ -124,7 +120,7 @@ static void run(const Options& options) {
     throw Error(ExitCode::usage, "only one of scene, --points and --in-situ can come from stdin; give the others as files");
   if (options.makes_stage) refuse_terminal(options.output);
   const Scene scene = read_scene(options.scene, {.grid = true, .soil = true, .time = true});
-  warn_of_locking(scene);
+  report_doubts(doubts_on(scene));
   const MaterialPoints points = material_points(scene);
   if (options.makes_stage) return make_stage(options, scene, points);
   std::optional<FieldSample> sample;
@@ -173,13 +169,13 @@ int main(int argc, char** argv) {
   using namespace slidezone;
   Options options;
   CLI::App app(
-      "Fail one slope once with the material point method and print one row\n\n"
+      "Fails one slope once with the material point method, and prints one row.\n\n"
       "The row holds influence and runout distance, status and energy balance; data-schemas/row.json explains its columns.\n"
       "Without --points every soil has its scene's strength everywhere, and the row is that of realization 0.",
       "mpmrun");
-  app.add_option("scene", options.scene, "Scene file; - for stdin")->required();
-  app.add_option("-o,--output", options.output, "The row, as TSV; - for stdout")->capture_default_str();
-  CLI::Option* points = app.add_option("--points", options.points, "Field samples at the material points, from rfmap; - for stdin");
+  app.add_option("scene", options.scene, "Scene (TOML); - is stdin")->required();
+  app.add_option("-o,--output", options.output, "The row (TSV); - is stdout")->capture_default_str();
+  CLI::Option* points = app.add_option("--points", options.points, "Field samples at the material points, from rfmap; - is stdin");
   app.add_option("--sample", options.sample, "Number of the sample in --points")
       ->check(whole_number(1))
       ->capture_default_str()
@@ -196,9 +192,8 @@ int main(int argc, char** argv) {
       ->check(whole_number(1))
       ->capture_default_str();
   app.add_flag("--make-in-situ", options.makes_stage,
-               "Write the state of all points before any yields at the lowest strength that the scene's fields can have, as HDF5 and in "
-               "place of a "
-               "row: all realizations share it")
+               "In place of a row, write the state before any point yields at the lowest strength of the scene's fields (HDF5): all "
+               "realizations share it")
       ->excludes(points, frames, in_situ);
   app.add_flag("--explain", options.explain, "Print what this scene uses and what is left out, and why, as TSV; run nothing");
   return tool_main(app, "mpmrun pipelines/benchmark/scene.toml", argc, argv, [&] { run(options); });

@@ -1,0 +1,24 @@
+// What of a scene is possible, and most likely not meant or not good: to be said before the run. SI units.
+//
+//   weight     below 2 or above 50 kN/m^3: no soil, but a slip of a thousand in the unit
+//   friction   a coefficient above 2 on the base, 63 degrees: an angle in degrees in place of its tangent
+//   locking    Poisson's ratio above 0.45 without B-bar: cells are far too stiff, and a slope stands that should slide
+//              (pipelines/verification/README.md)
+//   yielding   a cohesion above a tenth of Young's modulus: soil that gives way at no strain that a slope sees
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace slidezone {
+
+struct Doubts {
+  std::vector<std::string> warnings;
+  std::vector<std::string> notes;  // what is meant at times: a body that is to stay elastic
+};
+
+Doubts doubts_on(const Scene& scene);
+
+}  // namespace slidezone
