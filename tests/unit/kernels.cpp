@@ -94,10 +94,10 @@ TEST(Simulate, SoilOfPointsStandsForLayersOfTheSameSoil) {
 
 TEST(Simulate, GivesEqualBitsForAnyNumberOfThreads) {
   ASSERT_GE(large_block(1).points.count(), Strips::least_points);
-  for (const AntiLocking anti_locking : {AntiLocking::none, AntiLocking::b_bar}) {
+  for (const Scheme& method : {Scheme{}, Scheme{.anti_locking = AntiLocking::b_bar}, Scheme{.precision = Precision::single_precision}}) {
     const auto outcome = [&](int threads) {
       Model model = large_block(threads);
-      model.method.anti_locking = anti_locking;
+      model.method = method;
       return simulate(model);
     };
     const Outcome alone = outcome(1);
