@@ -59,6 +59,10 @@ class Occupancy {
   std::vector<State> state_;
 };
 
+/// To the nanometre, so that distances between edges of cells are the decimals that they look like: a place 3.8 m from the crest is not
+/// reached by 3.8000000000000007 m.
+double rounded(double length) { return std::round(length * 1e9) / 1e9; }
+
 /// Crest minus the left edge of the first column that dropped by more than `drop` beyond the left-most one.
 double influence(const std::vector<double>& before, const std::vector<double>& now, double drop, const ReachSettings& settings) {
   const double settlement = before[0] - now[0];
@@ -66,7 +70,7 @@ double influence(const std::vector<double>& before, const std::vector<double>& n
     const double left_edge = static_cast<double>(column) * settings.cell_x;
     if (left_edge >= settings.crest.x) break;
     const bool is_empty = column >= now.size() || std::isnan(now[column]);
-    if (is_empty || before[column] - now[column] - settlement > drop) return settings.crest.x - left_edge;
+    if (is_empty || before[column] - now[column] - settlement > drop) return rounded(settings.crest.x - left_edge);
   }
   return 0;
 }

@@ -4,7 +4,7 @@
 // that hang together (sides or corners) with those at the left wall; the front is its front-most point that moved by more than
 // `slid_displacement`. runout_max is the same without asking whether the point still hangs together with the body.
 // Influence I: crest minus the left edge of the first surface column, from the left, whose top dropped by more than
-// `influence_drop` beyond what the left-most column dropped (so that settlement cancels). 0 if none did.
+// `influence_drop` beyond what the left-most column dropped (so that settlement cancels), to the nanometre. 0 if none did.
 // Where nothing moved that far all distances are 0. Lengths in m, areas in m^2.
 #pragma once
 

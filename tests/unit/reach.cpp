@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -58,6 +59,17 @@ TEST(Reach, MeasuresInfluenceFromTheCrestBack) {
   const Reach reached = points.measured();
   EXPECT_DOUBLE_EQ(reached.influence, 1.0);  // crest at 3, first failed column starts at 2
   EXPECT_EQ(reached.influence_1m, 0);
+}
+
+TEST(Reach, InfluenceIsTheDecimalThatItLooksLike) {
+  // One point in each column of 0.2 m; the crest is at 20 m, and the columns from 16.2 m on drop. In doubles 20 - 81 * 0.2 is above 3.8.
+  std::vector<double> x, y(125, 5.0);
+  for (int column = 0; column < 125; ++column) x.push_back(0.2 * (column + 0.5));
+  const std::vector<double> before = y;
+  std::fill(y.begin() + 81, y.end(), 4.0);
+  const Reach reached =
+      reach({x, y, x, before}, {.crest = {20, 5}, .toe = {25, 0}, .cell_x = 0.2, .cell_y = 0.2, .spacing_x = 0.2, .spacing_y = 0.2});
+  EXPECT_EQ(reached.influence, 3.8);
 }
 
 TEST(Reach, CountsAnEmptyColumnAsFailed) {
