@@ -223,7 +223,7 @@ slow() { edited "s/^mean = .*/mean = \"3 kPa\"/; s/^protocol = .*/protocol = \"r
   mpmrun changed.toml --make-in-situ --quiet -o in_situ.h5
   run --separate-stderr mpmrun changed.toml --points heavy.h5 --in-situ in_situ.h5
   assert_failure 65
-  assert_regex "$stderr" '^mpmrun: heavy.h5: point 0 has other parameters than the soil of the in-situ stage; was it made from another scene\?$'
+  assert_regex "$stderr" 'mpmrun: heavy.h5: point 0 has other parameters than the soil of the in-situ stage; was it made from another scene\?$'
   run --separate-stderr mpmrun changed.toml --points weak.h5 --in-situ in_situ.h5
   assert_failure 65
   assert_regex "$stderr" '^mpmrun: weak.h5: point [0-9]+ has a cohesion of [0-9.]+ Pa, below the 3000 Pa of the in-situ stage'
@@ -331,6 +331,15 @@ slow() { edited "s/^mean = .*/mean = \"3 kPa\"/; s/^protocol = .*/protocol = \"r
   run --separate-stderr mpmrun changed.toml
   assert_equal "$(tsv_value status <<<"$output")" diverged
   assert_regex "$stderr" 'warning: left the domain: .*warning: diverged: the energy balance misses [0-9.]+ % of the work done after step '
+}
+
+@test "files that cannot be created are told before the run" {
+  edited 's/^end = .*/end = "10000 h"/' # nobody waits for that
+  for option in -o --state --table --profile; do
+    run timeout 10 mpmrun changed.toml "$option" missing/file
+    assert_failure 73
+    assert_output "mpmrun: missing/file: cannot be created: No such file or directory"
+  done
 }
 
 # ---- the benchmark ----

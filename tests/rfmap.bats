@@ -150,6 +150,17 @@ setup() {
   refute_output --partial "warning"
 }
 
+@test "fields of another scene of the same mesh are taken, with a note" {
+  sed 's/^end = .*/end = "14 s"/' "$scene" >changed.toml
+  run rfmap changed.toml "$fields" -o points.h5
+  assert_success
+  assert_output --regexp '^rfmap: note: .*fields.h5 was made from another scene than changed.toml, or before it was changed$'
+  run rfmap "$scene" "$fields" -o points.h5
+  assert_output ""
+  run mpmrun changed.toml --points points.h5 --explain
+  assert_line 'mpmrun: note: points.h5 was made from another scene than changed.toml, or before it was changed'
+}
+
 @test "points stand at the residual strength of their own soil, and are counted" {
   two_soils >layers.toml
   rfgen layers.toml -n 1 | rfmap layers.toml - -o points.h5

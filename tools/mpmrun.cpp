@@ -130,6 +130,8 @@ static void run(const Options& options) {
     const std::string_view image = file.bytes();
     points_checksum = checksum(image);
     sample = field_sample(image, input_name(options.points), points, options.sample);
+    if (sample->scene != scene.checksum)
+      note(input_name(options.points) + " was made from another scene than " + scene.name + ", or before it was changed");
   }
   const auto detailed = [&](const std::string& schema) {
     return run_provenance(schema, scene, points_checksum, sample ? std::optional(options.sample) : std::nullopt);
@@ -144,6 +146,8 @@ static void run(const Options& options) {
     write_output(options.output, explanation(model, sample.has_value(), detailed("slidezone-explanation 1")));
     return;
   }
+  for (const std::string& path : {options.output, options.state, options.table, options.profile})
+    if (!path.empty()) check_can_create(path);
   const Provenance state_provenance = detailed("slidezone-state 1");
   std::optional<FrameWriter> frames;
   if (!options.frames.empty()) frames.emplace(options.frames, frame_interval(options.every), points, state_provenance);

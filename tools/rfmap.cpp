@@ -110,6 +110,8 @@ void run(const Options& options) {
   const InputFile image(options.fields);
   const Hdf5Reader fields(image.bytes(), input_name(options.fields), "slidezone-fields 1");
   const std::size_t samples = fields.integers("realization").size();
+  if (fields.text_attribute("", "scene") != scene.checksum)
+    note(fields.name() + " was made from another scene than " + scene.name + ", or before it was changed");
   for (const FieldSpec& spec : scene.fields) {
     check_mesh(mesh_of(fields, spec.name, samples), spec.model.mesh, fields, scene);
     warn_of_coarse_cells(spec);

@@ -116,6 +116,12 @@ void refuse_terminal(const std::string& path) {
     throw Error(ExitCode::usage, "the result is binary and stdout is a terminal; give a file with -o or pipe it on");
 }
 
+void refuse_binary(std::string_view bytes, const std::string& name, const std::string& expected) {
+  if (bytes.find('\0') == std::string_view::npos) return;
+  const std::string found = bytes.starts_with("\x89HDF") ? "an HDF5 file" : "a binary file";
+  throw Error(ExitCode::data, name + ": found " + found + ", expected " + expected + "; are files and arguments in the right order?");
+}
+
 std::string input_name(const std::string& path) { return path == "-" ? "stdin" : path; }
 
 static int open_input(const std::string& path) {
@@ -200,6 +206,10 @@ void OutputFile::finish() {
   if (::rename(state_->temporary.c_str(), state_->target.c_str()) != 0)
     fail_with_reason(ExitCode::cannot_create, state_->name, "cannot be created");
   state_->guard->keep();
+}
+
+void check_can_create(const std::string& path) {
+  if (path != "-" && !is_special(path)) OutputFile{path};
 }
 
 void write_output(const std::string& path, std::string_view bytes) {

@@ -30,6 +30,9 @@ class InputFile {
   std::unique_ptr<State> state_;
 };
 
+/// Throws with ExitCode::cannot_create if the target cannot be created; leaves nothing. For who computes long before writing.
+void check_can_create(const std::string& path);
+
 /// Throws with ExitCode::cannot_create if the target cannot be created, io if writing fails.
 void write_output(const std::string& path, std::string_view bytes);
 
@@ -51,6 +54,9 @@ class OutputFile {
 
 /// Throws ExitCode::usage if `path` is "-" and stdout is a terminal: a binary file would garble it.
 void refuse_terminal(const std::string& path);
+
+/// Throws ExitCode::data if the bytes of the file `name` are those of a binary file where text in the form `expected` is wanted.
+void refuse_binary(std::string_view bytes, const std::string& name, const std::string& expected);
 
 /// How messages call the path: "stdin" for "-".
 std::string input_name(const std::string& path);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/text.hpp"
+#include "io/file.hpp"
 
 namespace slidezone {
 
@@ -83,10 +84,16 @@ static void check_schema(std::string_view line, std::string_view schema, const L
   fail_at(where, "found schema '" + std::string(line.substr(key.size())) + "', expected '" + std::string(schema) + "'");
 }
 
+/// What may be wrong with a header that lacks a column.
+static std::string hint_on(const std::string& name, const std::vector<std::string>& columns) {
+  if (columns.size() == 1 && columns.front().find_first_of(",; ") != std::string::npos) return "; columns are parted by tabs";
+  return nearest_hint(name, columns);
+}
+
 static void check_header(const std::vector<std::string>& columns, std::span<const std::string> required, const Location& where) {
   for (const std::string& name : required) {
     if (std::find(columns.begin(), columns.end(), name) == columns.end())
-      fail_at(where, "no column '" + name + "' in the header row" + nearest_hint(name, columns));
+      fail_at(where, "no column '" + name + "' in the header row" + hint_on(name, columns));
   }
   for (auto it = columns.begin(); it != columns.end(); ++it) {
     if (std::find(columns.begin(), it, *it) != it) fail_at(where, "column '" + *it + "' stands twice in the header row");
@@ -94,6 +101,7 @@ static void check_header(const std::vector<std::string>& columns, std::span<cons
 }
 
 Table parse_tsv(std::string_view bytes, const std::string& name, std::string_view schema, std::span<const std::string> required) {
+  refuse_binary(bytes, name, "a table of text");
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
   std::optional<Table> table;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/text.hpp"
+#include "io/file.hpp"
 #include "io/units.hpp"
 
 namespace slidezone {
@@ -58,6 +59,7 @@ static bool contains(Range range, double value) {
 }
 
 TomlTable TomlTable::parse(std::string_view text, const std::string& name) {
+  refuse_binary(text, name, "TOML");
   try {
     const auto file = std::make_shared<const toml::table>(toml::parse(text, name));
     return TomlTable(std::make_shared<const Node>(Node{file, file.get(), name, ""}));

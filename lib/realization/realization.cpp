@@ -39,6 +39,7 @@ FieldSample field_sample(std::string_view image, const std::string& name, const 
                     (numbers.empty() ? "" : ", only " + std::to_string(numbers.front()) + " to " + std::to_string(numbers.back())));
   const auto index = static_cast<std::size_t>(found - numbers.begin());
   FieldSample sample;
+  sample.scene = file.text_attribute("", "scene");
   sample.realization = realization;
   sample.values.resize(points.x.size());
   const auto is_there = [&](const ParameterKind& kind) { return file.has(kind.name); };

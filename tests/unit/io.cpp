@@ -119,6 +119,11 @@ TEST(Toml, ReportsSyntaxErrorsWithTheirPlace) {
   EXPECT_TRUE(message_of([] { TomlTable::parse("[slope\n", "s.toml"); }).starts_with("s.toml:1:7: "));
 }
 
+TEST(Toml, KnowsABinaryFile) {
+  EXPECT_EQ(message_of([] { TomlTable::parse(std::string_view("\x89HDF\r\n\x1a\n\0", 9), "f.h5"); }),
+            "f.h5: found an HDF5 file, expected TOML; are files and arguments in the right order?");
+}
+
 TEST(Toml, ReadsPolylines) {
   const TomlTable file = TomlTable::parse("p = [[\"0 m\", \"5 m\"], [\"200 cm\", \"1 m\"]]\nq = [[\"0 m\"]]", "s.toml");
   const auto points = file.polyline("p", 2);
@@ -192,6 +197,14 @@ TEST(Table, NamesFileLineAndColumnOfAWrongField) {
   EXPECT_TRUE(std::isnan(read.number_or_nan(1, "a")));
 }
 
+TEST(Table, KnowsABinaryFileAndColumnsPartedByCommas) {
+  const std::vector<std::string> required = {"name"};
+  EXPECT_EQ(message_of([&] { parse_tsv(std::string_view("a\0b", 3), "f", "s 1", required); }),
+            "f: found a binary file, expected a table of text; are files and arguments in the right order?");
+  EXPECT_EQ(message_of([&] { parse_tsv("name,side\nroad,toe\n", "f", "s 1", required); }),
+            "f:1: no column 'name' in the header row; columns are parted by tabs");
+}
+
 TEST(Table, RefusesOtherSchemasMissingColumnsAndRaggedRows) {
   const std::vector<std::string> required = {"a"};
   message_of([&] { parse_tsv("# schema: s 2\na\n", "f", "s 1", required); });
@@ -240,6 +253,14 @@ TEST_F(Files, NamesWhatIsMissing) {
   message_of([&] { InputFile(folder / "absent"); }, ExitCode::no_input);
   message_of([&] { write_output(folder / "no" / "such", "x"); }, ExitCode::cannot_create);
   message_of([&] { write_output(folder, "x"); }, ExitCode::cannot_create);
+}
+
+TEST(File, SaysBeforehandWhatCannotBeCreated) {
+  const std::string folder = testing::TempDir() + "slidezone-none/";
+  EXPECT_EQ(message_of([&] { check_can_create(folder + "row.tsv"); }, ExitCode::cannot_create),
+            folder + "row.tsv: cannot be created: No such file or directory");
+  check_can_create(testing::TempDir() + "slidezone-row.tsv");
+  EXPECT_FALSE(std::filesystem::exists(testing::TempDir() + "slidezone-row.tsv"));
 }
 
 TEST(File, ReportsAFullDisk) {
