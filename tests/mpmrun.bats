@@ -226,7 +226,7 @@ slow() { edited "s/^mean = .*/mean = \"3 kPa\"/; s/^protocol = .*/protocol = \"r
   assert_regex "$stderr" 'mpmrun: heavy.h5: point 0 has other parameters than the soil of the in-situ stage; was it made from another scene\?$'
   run --separate-stderr mpmrun changed.toml --points weak.h5 --in-situ in_situ.h5
   assert_failure 65
-  assert_regex "$stderr" '^mpmrun: weak.h5: point [0-9]+ has a cohesion of [0-9.]+ Pa, below the 3000 Pa of the in-situ stage'
+  assert_regex "$stderr" 'mpmrun: weak.h5: point [0-9]+ has a cohesion of [0-9.]+ Pa, below the 3000 Pa of the in-situ stage'
 }
 
 @test "fields of no spread are a soil of their means: every parameter reaches the run" {
