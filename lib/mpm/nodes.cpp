@@ -231,7 +231,8 @@ static void remember_friction(NodesOf<Real>& nodes, std::size_t node, Vec2 free,
                              .impulse = nodes.mass[node] * (left - would_be),
                              .force = nodes.mass[node] * (change - fall),
                              .before = would_be - change,
-                             .after = left});
+                             .after = would_be - change,
+                             .is_held = left == 0});
 }
 
 /// Base contact with friction.
@@ -360,8 +361,8 @@ template <class Real>
 double friction_work(const NodesOf<Real>& nodes) {
   double work = 0;
   for (const NodeFriction& friction : nodes.frictions) {
-    const double held = along(friction.tangent, pair_at(nodes.new_velocity, friction.node));
-    work += friction.force * (held - friction.after) - 0.5 * friction.impulse * (friction.before + friction.after);
+    work -= 0.5 * friction.impulse * (friction.before + friction.after);
+    if (friction.is_held) work -= friction.force * friction.after;
   }
   return work;
 }

@@ -20,7 +20,8 @@ struct NodeFriction {
   double impulse;  // of friction, N s/m
   double force;    // internal force times the step, N s/m
   double before;   // m/s, of the points on the node before the step
-  double after;    // m/s, of the points after it: new_velocity before walls and base hold it
+  double after;    // m/s, of the points after it: new_velocity before walls and base hold it. USL and USF do not know; there: before
+  bool is_held;    // friction keeps the node where it is
 };
 
 template <class Real>
@@ -99,10 +100,10 @@ void copy_velocities(NodesOf<Real>& nodes, const NodeBox& box);
 template <class Real>
 void update_new_velocities(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings);
 
-/// What friction took from the soil in the step, J/m, once new_velocity is what strains the soil. An impulse J on a node changes the
-/// kinetic energy of the points by J (v_before + v_after) / 2 exactly, with the velocities that points have on the node; and where
-/// friction holds a node that they would move, the internal force f does less work, by f dt (v_after - v_held). The velocity of the
-/// node itself will not do for either: it is 0 where points above a held node slide on.
+/// What friction took from the soil in the step, J/m; after update_new_velocities. An impulse J on a node changes the kinetic energy of
+/// the points by J (before + after) / 2 exactly, with the velocities that points have on the node; and where friction holds a node
+/// that they would move, the internal force f does less work, by f dt after. The velocity of the node itself will not do for either:
+/// it is 0 where points above a held node slide on.
 template <class Real>
 double friction_work(const NodesOf<Real>& nodes);
 
