@@ -24,11 +24,12 @@ error() {
   done
 }
 
-# Of 4,000 random slopes of the demo and the paper 7 % missed more than 1 %, one 2.03 %, all others less than 2 %.
-@test "random slopes close their energy balance to 2 %, and four fifths or more of them to 1 %" {
+@test "random slopes close their energy balance to 1 %" {
   for k in $(seq 16); do error "$TOP/pipelines/demo/scene.toml" "$k"; done >errors
   for k in $(seq 8); do error "$TOP/pipelines/benchmark/study.toml" "$k"; done >>errors
-  assert_equal "$(wc -l <errors)" 24
-  while read -r value; do assert_near "$value" 0 0.02; done <errors
-  assert_between "$(awk '$1 > 0.01 || $1 < -0.01 { ++count } END { print count + 0 }' errors)" 0 4
+  # Of 9000 runs of pipelines/paper the one that misses most.
+  sed 's/^horizontal_scale = .*/horizontal_scale = "24 m"/' "$TOP/pipelines/benchmark/study.toml" >scene.toml
+  error scene.toml 364 >>errors
+  assert_equal "$(wc -l <errors)" 25
+  while read -r value; do assert_near "$value" 0 0.01; done <errors
 }
