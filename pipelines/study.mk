@@ -88,6 +88,7 @@ rows: $(or $(rows),$(OUT)/shown/row.tsv)
 tables: $(tables)
 pictures: $(pictures)
 report: $(OUT)/report.html
+	@echo "Report: $(shown_out)/report.html"
 converge:
 	+$(Q)$(here)converge '$(MAKE)' $(OUT) $(LEAST) $(CAP) $(TARGETS)
 clean:

@@ -53,6 +53,7 @@ check_help() {
   assert_success
   assert_output --regexp "Example: ([a-z].* )?$1 "
   assert_output --partial "Exit codes:"
+  refute_output --regexp $'\n  -[^\n ]*( [^\n ]+)* (Excludes|Needs): [^\n ]+ [A-Z]' # help2man wants two blanks before what an option does
   assert_equal "$stderr" ""
   run --separate-stderr "$1" --version
   assert_success

@@ -22,6 +22,7 @@ words() { tr '\n' ' ' <"$1" | sed 's/<[^>]*>/ /g; s/&lt;/</g; s/&gt;/>/g' | tr -
   sed -i '1i # The strength is calibrated on nothing: this is a test.\n' scene.toml
   report N=4
   assert_success
+  assert_line --index -1 --regexp '^Report: .*out/report.html$'
   assert_equal "$(grep -o '<svg' out/report.html | wc -l)" 5
   run grep -nE '(src|href)="?(http|//|file|/)|url\((http|//)|<script|<link' out/report.html
   assert_failure 1

@@ -43,7 +43,7 @@ interval that does not exist is nan; an end that the sample cannot give is "unbo
               of all runs, failed or not. A stable run counts with the reach that it has. A run that left the grid counts with the
               reach it had: means and quantiles are then lower bounds and lose their upper end. Diverged runs are left out of moments;
               intervals of quantiles and probabilities allow for any reach of theirs. Kurtosis is 3 for a Normal. Intervals: mean by
-              Student, variance and sd by Bonett (with the kurtosis), quantiles by order statistics, skewness and kurtosis by bootstrap
+              Student, variance and sd by Bonett (with the kurtosis), quantiles by order statistics, skewness and kurtosis by bootstrap.
               Of a reach that is the same in all runs, such as the influence distance of slopes that all stand, the mean has no interval
               and the spread is nan; probability_of_failure has its interval as always
   standard_error_of_mean standard_error_of_variance standard_error_of_sd

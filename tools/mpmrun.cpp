@@ -196,8 +196,7 @@ int main(int argc, char** argv) {
       ->check(whole_number(1))
       ->capture_default_str();
   app.add_flag("--make-in-situ", options.makes_stage,
-               "In place of a row, write the state before any point yields at the lowest strength of the scene's fields (HDF5): all "
-               "realizations share it")
+               "In place of a row, write the state before any point yields, which all realizations share (HDF5)")
       ->excludes(points, frames, in_situ);
   app.add_flag("--explain", options.explain, "Print what this scene uses and what is left out, and why, as TSV; run nothing");
   return tool_main(app, "mpmrun pipelines/benchmark/scene.toml", argc, argv, [&] { run(options); });

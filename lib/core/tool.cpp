@@ -63,7 +63,7 @@ int tool_main(CLI::App& app, const std::string& example, int argc, char** argv, 
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is then a write error, reported like any other
   app.set_version_flag("--version", tool_name + " " + std::string(version()), "Print the version and stop");
   app.add_flag("-q,--quiet", quiet, "No progress line and no notes; warnings and errors remain");
-  app.get_formatter()->column_width(34);
+  app.get_formatter()->column_width(36);
   app.footer("Example: " + example + "\n\n" + exit_codes);
   try {
     return parse_and_run(app, argc, argv, run);
