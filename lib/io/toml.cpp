@@ -24,11 +24,17 @@ static Location location(const std::string& file, const toml::source_region& sou
   return {file, static_cast<long>(source.begin.line), static_cast<long>(source.begin.column)};
 }
 
-/// What a value is, for messages: `"5 kPa"`, `5`, `a list`.
+/// A number that TOML takes for a real one: "1000.0" for 1e3, which is no whole number to TOML.
+static std::string real_text(double value) {
+  const std::string text = format_real(value);
+  return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
+}
+
+/// What a value is, for messages: `"5 kPa"`, `5`, `5.0`, `a list`.
 static std::string description(const toml::node& node) {
   if (const auto text = node.value_exact<std::string>()) return '"' + *text + '"';
   if (const auto whole = node.value_exact<std::int64_t>()) return std::to_string(*whole);
-  if (const auto real = node.value_exact<double>()) return format_real(*real);
+  if (const auto real = node.value_exact<double>()) return real_text(*real);
   if (const auto truth = node.value_exact<bool>()) return *truth ? "true" : "false";
   if (node.is_table()) return "a table";
   if (node.is_array()) return "a list";

@@ -1,5 +1,6 @@
 #include "realization/doubts.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +12,7 @@ namespace slidezone {
 static constexpr double least_weight = 2e3, most_weight = 50e3;  // N/m^3
 static constexpr double most_friction = 2;
 static constexpr double most_poisson_ratio = 0.45;
+static constexpr double least_length = 2;     // spacings of points
 static constexpr double most_cohesion = 0.1;  // of Young's modulus
 
 static std::string kilo(double value, const std::string& unit) { return format_brief(value / 1000, 6) + " k" + unit; }
@@ -34,6 +36,12 @@ Doubts doubts_on(const Scene& scene) {
   if (friction > most_friction)
     doubts.warnings.push_back("friction on the base is a coefficient, the tangent of an angle: " + format_brief(friction) + " is that of " +
                               format_brief(std::atan(friction) * 180 / std::numbers::pi, 3) + " degrees");
+  const double spacing =
+      std::max(scene.discretization.grid.cell_x, scene.discretization.grid.cell_y) / scene.discretization.points_per_cell;
+  if (scene.nonlocal_softening && scene.nonlocal_softening->length < least_length * spacing)
+    doubts.warnings.push_back("nonlocal softening over " + format_brief(scene.nonlocal_softening->length) +
+                              " m hardly averages where points lie " + format_brief(spacing) +
+                              " m apart: take at least two spacings, or results depend on the cells");
   return doubts;
 }
 

@@ -4,6 +4,7 @@
 //   friction   a coefficient above 2 on the base, 63 degrees: an angle in degrees in place of its tangent
 //   locking    Poisson's ratio above 0.45 without B-bar: cells are far too stiff, and a slope stands that should slide
 //              (pipelines/verification/README.md)
+//   averaging  nonlocal softening over less than two spacings of the points: it hardly averages, and results depend on the cells
 //   yielding   a cohesion above a tenth of Young's modulus: soil that gives way at no strain that a slope sees
 #pragma once
 

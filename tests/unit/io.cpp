@@ -119,6 +119,13 @@ TEST(Toml, ReportsSyntaxErrorsWithTheirPlace) {
   EXPECT_TRUE(message_of([] { TomlTable::parse("[slope\n", "s.toml"); }).starts_with("s.toml:1:7: "));
 }
 
+TEST(Toml, TellsRealNumbersFromWholeOnes) {
+  const TomlTable file = TomlTable::parse("a = 1e3\nb = 2.5\nc = nan\n", "s.toml");
+  EXPECT_EQ(message_of([&] { file.whole("a", 1, 9); }), "s.toml:1:5: 'a' wants a whole number from 1 to 9, found 1000.0");
+  EXPECT_EQ(message_of([&] { file.whole("b", 1, 9); }), "s.toml:2:5: 'b' wants a whole number from 1 to 9, found 2.5");
+  EXPECT_EQ(message_of([&] { file.whole("c", 1, 9); }), "s.toml:3:5: 'c' wants a whole number from 1 to 9, found nan");
+}
+
 TEST(Toml, KnowsABinaryFile) {
   EXPECT_EQ(message_of([] { TomlTable::parse(std::string_view("\x89HDF\r\n\x1a\n\0", 9), "f.h5"); }),
             "f.h5: found an HDF5 file, expected TOML; are files and arguments in the right order?");
