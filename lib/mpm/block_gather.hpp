@@ -99,7 +99,7 @@ template <class Real>
   const Real step = static_cast<Real>(data.step);
   const Real grid_part = static_cast<Real>(data.grid_part);
   constexpr Real half = 0.5;
-  Real damped[block_size] = {};
+  Real damped[block_size];
 #pragma GCC ivdep
   for (int p = 0; p < block.count; ++p) {
     const FromNodes<Real>& from = from_nodes[p];
@@ -115,7 +115,7 @@ template <class Real>
     momentum[2 * p] = mass[p] * now_x;
     momentum[2 * p + 1] = mass[p] * now_y;
   }
-  return block_sum(damped);
+  return block_sum(block, damped);
 }
 
 }  // namespace

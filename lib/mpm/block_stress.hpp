@@ -46,9 +46,33 @@ template <SoilTraits traits, class Real>
   return traits.has_layers ? soils[soil_of[p]] : soils[0];
 }
 
+/// The yield surfaces of a block's points. A loop of its own: exp is one long chain, and eight points' chains run at once here that
+/// would wait for the stresses below.
+template <class Real>
+struct BlockYield {
+  Real q_phi[block_size], k_c[block_size], tension[block_size];
+};
+
+template <SoilTraits traits, class Real>
+[[gnu::always_inline]] inline void find_yield(const SweepData<Real>& data, auto block, BlockYield<Real>& yield) {
+  const Real* softening_strain = data.softening_strain + block.first;
+  const Real* peak_cohesion = data.peak_cohesion + block.first;
+  const int* soil_of = data.soil + block.first;
+  const SoilConstantsOf<Real>* soils = data.soils;
+#pragma GCC ivdep
+  for (int p = 0; p < block.count; ++p) {
+    const YieldSurfaceOf<Real> surface =
+        yield_surface<traits>(soil_of_point<traits>(soils, soil_of, p), peak_cohesion[p], softening_strain[p]);
+    yield.q_phi[p] = surface.q_phi;
+    yield.k_c[p] = surface.k_c;
+    yield.tension[p] = surface.tension;
+  }
+}
+
 /// Sums are doubles whatever the numbers are: a run sums up more of them than a float has digits for.
 template <class Real>
-[[gnu::always_inline]] inline double block_sum(const Real (&values)[block_size]) {
+[[gnu::always_inline]] inline double block_sum(auto block, Real (&values)[block_size]) {
+  for (int p = block.count; p < block_size; ++p) values[p] = 0;
   Row<Real> sums{};
   for (int p = 0; p < block_size; p += 8) sums = sums + Row<Real>::load(values + p);
   Real lane[8];
@@ -66,12 +90,12 @@ template <SoilTraits traits, class Real>
   Real* xy = data.xy + block.first;
   Real* volume = data.volume + block.first;
   Real* plastic_strain = data.plastic_strain + block.first;
-  const Real* softening_strain = data.softening_strain + block.first;
-  const Real* peak_cohesion = data.peak_cohesion + block.first;
   const int* soil_of = data.soil + block.first;
   const SoilConstantsOf<Real>* soils = data.soils;
   const Real step = static_cast<Real>(data.step);
-  Real work[block_size] = {};  // summed below: a sum inside the loop would keep it from becoming vector instructions
+  BlockYield<Real> yield;
+  find_yield<traits>(data, block, yield);
+  Real work[block_size];  // summed below: a sum inside the loop would keep it from becoming vector instructions
   Flag broken = 0;
 #pragma GCC ivdep
   for (int p = 0; p < block.count; ++p) {
@@ -80,8 +104,7 @@ template <SoilTraits traits, class Real>
                                  half * (gradients[p].xy - gradients[p].yx) * step};
     const StressOf<Real> old{xx[p], yy[p], zz[p], xy[p]};
     StressOf<Real> now = trial_stress(old, strain, soil.bulk, soil.shear);
-    const YieldSurfaceOf<Real> yield = yield_surface<traits>(soil, peak_cohesion[p], softening_strain[p]);
-    plastic_strain[p] += return_to_yield<traits>(now, soil, yield);
+    plastic_strain[p] += return_to_yield<traits>(now, soil, {yield.q_phi[p], yield.k_c[p], yield.tension[p]});
     work[p] = volume[p] * half * ((old.xx + now.xx) * strain.xx + (old.yy + now.yy) * strain.yy + 2 * (old.xy + now.xy) * strain.xy);
     volume[p] *= 1 + strain.xx + strain.yy;
     broken |= volume[p] > 0 ? Flag{0} : Flag{1};
@@ -90,7 +113,7 @@ template <SoilTraits traits, class Real>
     zz[p] = now.zz;
     xy[p] = now.xy;
   }
-  return {block_sum(work), broken != 0};
+  return {block_sum(block, work), broken != 0};
 }
 
 template <class Real>
