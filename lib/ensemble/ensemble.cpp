@@ -17,8 +17,8 @@ static Knowledge knowledge_of(Status status) {
 /// As a sample counts it: 0 stands for no block.
 static std::uint64_t block_of(const Row& row) { return row.design == Design::plain ? 0 : row.block + 1; }
 
-static Reach reach_of(std::span<const Row> rows, const std::string& quantity, double Row::*value) {
-  Reach reach{quantity, {}, {}, std::nullopt};
+static ReachOfStudy reach_of(std::span<const Row> rows, const std::string& quantity, double Row::*value) {
+  ReachOfStudy reach{quantity, {}, {}, std::nullopt};
   for (const Row& row : rows) {
     const Knowledge knowledge = knowledge_of(row.status);
     if (is_random(row)) {
@@ -80,7 +80,7 @@ static std::vector<std::string> cautions_on_blocks(std::span<const Row> rows) {
 
 static std::vector<std::string> cautions_on_spread(const Ensemble& ensemble) {
   std::vector<std::string> texts;
-  for (const Reach* reach : {&ensemble.influence, &ensemble.runout}) {
+  for (const ReachOfStudy* reach : {&ensemble.influence, &ensemble.runout}) {
     const Moments moments = moments_of(known_values(reach->sample));
     if (moments.count() >= 2 && moments.minimum() == moments.maximum())
       texts.push_back(reach->quantity + " is " + format_brief(moments.mean()) + " in all " + std::to_string(moments.count()) +

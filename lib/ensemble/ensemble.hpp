@@ -21,7 +21,7 @@
 
 namespace slidezone {
 
-struct Reach {
+struct ReachOfStudy {
   std::string quantity;                 // "influence_m" or "runout_m", as the tables call it
   Sample sample;                        // all random realizations
   Sample slides;                        // those that slid and stayed inside, for distributions given failure
@@ -29,8 +29,8 @@ struct Reach {
 };
 
 struct Ensemble {
-  Reach influence;
-  Reach runout;
+  ReachOfStudy influence;
+  ReachOfStudy runout;
   Sample failure;  // 1 failed, 0 stable
 };
 

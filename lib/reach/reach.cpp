@@ -87,9 +87,9 @@ std::vector<double> column_tops(std::span<const double> x, std::span<const doubl
   return tops;
 }
 
-Reach reach(const Displaced& points, const ReachSettings& settings) {
+ReachOfRun reach(const Displaced& points, const ReachSettings& settings) {
   const Occupancy occupancy(points, settings.cell_x, settings.cell_y);
-  Reach result;
+  ReachOfRun result;
   for (std::size_t p = 0; p < points.x.size(); ++p) {
     if (displacement(points, p) <= settings.slid_displacement) continue;
     result.has_slid = true;

@@ -31,7 +31,7 @@ struct ReachSettings {
   double slid_displacement = 1;
 };
 
-struct Reach {
+struct ReachOfRun {
   double influence = 0;
   double influence_1m = 0;  // with a drop of 1 m
   double runout = 0;
@@ -40,7 +40,7 @@ struct Reach {
   bool has_slid = false;      // some point did
 };
 
-Reach reach(const Displaced& points, const ReachSettings& settings);
+ReachOfRun reach(const Displaced& points, const ReachSettings& settings);
 
 /// Top of the points in each column of cells from the left wall on, plus half a point; nan for an empty column. Columns are
 /// `width` wide; as many as the points reach.

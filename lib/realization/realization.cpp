@@ -162,9 +162,9 @@ Row row_of(const Scene& scene, const MaterialPoints& points, const std::optional
   row.status = Status::diverged;
   if (outcome.ending == Ending::diverged) return row;
 
-  const Reach reached = reach({outcome.points.x, outcome.points.y, points.x, points.y},
-                              {scene.slope.crest, scene.slope.toe, scene.discretization.grid.cell_x, scene.discretization.grid.cell_y,
-                               points.spacing_x, points.spacing_y, scene.output.influence_drop, scene.output.slid_displacement});
+  const ReachOfRun reached = reach({outcome.points.x, outcome.points.y, points.x, points.y},
+                                   {scene.slope.crest, scene.slope.toe, scene.discretization.grid.cell_x, scene.discretization.grid.cell_y,
+                                    points.spacing_x, points.spacing_y, scene.output.influence_drop, scene.output.slid_displacement});
   row.status = status_of(outcome, reached.has_slid);
   if (row.status == Status::diverged) return row;
   row.influence = reached.influence;

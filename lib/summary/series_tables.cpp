@@ -43,7 +43,7 @@ struct Running {
 
 }  // namespace
 
-static void add_trace(Table& table, const Reach& reach) {
+static void add_trace(Table& table, const ReachOfStudy& reach) {
   Running running;
   const Moments& moments = running.moments;
   for (const Observation& seen : reach.sample) {
@@ -62,7 +62,7 @@ static void add_trace(Table& table, const Reach& reach) {
 Table trace_table(const Ensemble& ensemble) {
   Table table({"quantity", "n", "mean_m", "mean_low_m", "mean_high_m", "sd_m", "sd_low_m", "sd_high_m", "change_of_mean_m",
                "change_of_variance_m2"});
-  for (const Reach* reach : {&ensemble.influence, &ensemble.runout}) add_trace(table, *reach);
+  for (const ReachOfStudy* reach : {&ensemble.influence, &ensemble.runout}) add_trace(table, *reach);
   return table;
 }
 
@@ -77,7 +77,7 @@ static RoundStep bin_width(std::span<const double> ascending) {
   return round_step(wanted > 0 ? 1.5 * wanted : 1);
 }
 
-static void add_histogram(Table& table, const Reach& reach) {
+static void add_histogram(Table& table, const ReachOfStudy& reach) {
   std::vector<double> values = known_values(reach.slides);
   if (values.empty()) return;
   std::sort(values.begin(), values.end());
@@ -94,13 +94,13 @@ static void add_histogram(Table& table, const Reach& reach) {
 
 Table histogram_table(const Ensemble& ensemble) {
   Table table({"quantity", "low_m", "high_m", "count", "density"});
-  for (const Reach* reach : {&ensemble.influence, &ensemble.runout}) add_histogram(table, *reach);
+  for (const ReachOfStudy* reach : {&ensemble.influence, &ensemble.runout}) add_histogram(table, *reach);
   return table;
 }
 
 // ---- densities ----
 
-static void add_densities(Table& table, const Reach& reach) {
+static void add_densities(Table& table, const ReachOfStudy& reach) {
   std::vector<double> values = known_values(reach.slides);
   if (values.empty()) return;
   std::sort(values.begin(), values.end());
@@ -125,7 +125,7 @@ Table density_table(const Ensemble& ensemble) {
   std::vector<std::string> columns = {"quantity", "distance_m", "empirical_cumulative"};
   for (const Family family : families) columns.insert(columns.end(), {name_of(family) + "_density", name_of(family) + "_cumulative"});
   Table table(columns);
-  for (const Reach* reach : {&ensemble.influence, &ensemble.runout}) add_densities(table, *reach);
+  for (const ReachOfStudy* reach : {&ensemble.influence, &ensemble.runout}) add_densities(table, *reach);
   return table;
 }
 

@@ -63,7 +63,7 @@ static std::vector<std::pair<std::string, double>> standard_errors(const Sample&
 }
 
 /// What equal values do not tell is nan.
-static void add_moments(Statistics& statistics, const Reach& reach, const Resampling& resampling) {
+static void add_moments(Statistics& statistics, const ReachOfStudy& reach, const Resampling& resampling) {
   const Moments moments = moments_of(known_values(reach.sample));
   const bool has_spread = moments.variance() > 0;
   const bool is_complete = count_of(reach.sample, Knowledge::at_least) == 0;
@@ -88,12 +88,12 @@ static void add_moments(Statistics& statistics, const Reach& reach, const Resamp
   add_of_spread("bootstrap_sd", root({moments.variance(), resampled.variance}));
 }
 
-static void add_quantiles(Statistics& statistics, const Reach& reach) {
+static void add_quantiles(Statistics& statistics, const ReachOfStudy& reach) {
   for (const double p : quantiles)
     statistics.add(reach.quantity, "quantile_" + format_real(p), quantile_estimate(reach.sample, p), reach.sample.size());
 }
 
-static void add_deterministic(Statistics& statistics, const Reach& reach) {
+static void add_deterministic(Statistics& statistics, const ReachOfStudy& reach) {
   if (!reach.deterministic) return;
   statistics.add(reach.quantity, "deterministic", *reach.deterministic, 1);
   const double next_below = std::nextafter(*reach.deterministic, -infinity);
@@ -127,7 +127,7 @@ static DistanceP p_values_of(const Fit& fit, const Distances& found, std::size_t
   return simulated == shared.end() ? DistanceP{nan, nan} : p_values(found, count, simulated->second);
 }
 
-static void add_parameters(Statistics& statistics, const Reach& reach, Family family, const std::optional<Fit>& fit) {
+static void add_parameters(Statistics& statistics, const ReachOfStudy& reach, Family family, const std::optional<Fit>& fit) {
   const std::vector<std::string>& names = parameter_names(family);
   const auto intervals = fit ? parameter_intervals(family, reach.slides) : std::nullopt;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -136,7 +136,7 @@ static void add_parameters(Statistics& statistics, const Reach& reach, Family fa
   }
 }
 
-static void add_goodness(Statistics& statistics, const Reach& reach, Family family, const std::optional<Fit>& fit,
+static void add_goodness(Statistics& statistics, const ReachOfStudy& reach, Family family, const std::optional<Fit>& fit,
                          const Simulations& simulations, const Resampling& resampling) {
   const std::vector<double> values = known_values(reach.slides);
   const bool is_independent = !has_blocks(reach.slides);  // what p values are of
@@ -158,7 +158,7 @@ static void add_goodness(Statistics& statistics, const Reach& reach, Family fami
   add("aic", fit ? akaike_criterion(*fit, values) : nan);
 }
 
-static void add_slides(Statistics& statistics, const Reach& reach, const Simulations& simulations, const Resampling& resampling) {
+static void add_slides(Statistics& statistics, const ReachOfStudy& reach, const Simulations& simulations, const Resampling& resampling) {
   statistics.add(reach.quantity, "mean_of_slides", mean_estimate(reach.slides), reach.slides.size());
   statistics.add(reach.quantity, "sd_of_slides", root(variance_estimate(reach.slides)), reach.slides.size());
   for (const Family family : families) {
@@ -170,7 +170,7 @@ static void add_slides(Statistics& statistics, const Reach& reach, const Simulat
 
 // ---- verdicts ----
 
-static void add_paper_verdict(Statistics& statistics, const Reach& reach) {
+static void add_paper_verdict(Statistics& statistics, const ReachOfStudy& reach) {
   const std::vector<double> values = known_values(reach.sample);
   const PaperVerdict verdict = paper_verdict(values);
   const auto add = [&](const std::string& what, double value) { statistics.add(reach.quantity, what, value, values.size()); };
@@ -180,7 +180,7 @@ static void add_paper_verdict(Statistics& statistics, const Reach& reach) {
   add("paper_first_met", verdict.first_met ? static_cast<double>(*verdict.first_met) : nan);
 }
 
-static void add_width_verdict(Statistics& statistics, const Reach& reach, const StopRule& rule, std::size_t least_runs) {
+static void add_width_verdict(Statistics& statistics, const ReachOfStudy& reach, const StopRule& rule, std::size_t least_runs) {
   const std::size_t n = reach.sample.size();
   const double found = half_width(rule, reach.sample);
   const Interval interval = found < infinity ? target_interval(rule, reach.sample) : no_interval;
@@ -191,7 +191,7 @@ static void add_width_verdict(Statistics& statistics, const Reach& reach, const 
   statistics.add(reach.quantity, "runs_needed:" + text, std::isfinite(found) ? needed : nan, n);
 }
 
-static void add_verdicts(Statistics& statistics, const Reach& reach, const SummaryOptions& options) {
+static void add_verdicts(Statistics& statistics, const ReachOfStudy& reach, const SummaryOptions& options) {
   for (const StopRule& rule : options.rules) {
     if (!rule.quantity.empty() && rule.quantity != reach.quantity) continue;
     if (rule.kind == StopRule::Kind::paper) {
@@ -206,7 +206,7 @@ Table statistics_table(std::span<const Row> rows, const Ensemble& ensemble, cons
   Statistics statistics;
   add_runs(statistics, rows, ensemble, options.least_runs);
   const Simulations simulations = shared_simulations(ensemble.influence.slides.size(), options.resampling);
-  for (const Reach* reach : {&ensemble.influence, &ensemble.runout}) {
+  for (const ReachOfStudy* reach : {&ensemble.influence, &ensemble.runout}) {
     add_moments(statistics, *reach, options.resampling);
     add_quantiles(statistics, *reach);
     add_deterministic(statistics, *reach);

@@ -33,7 +33,7 @@ std::vector<NamedEnsemble> read_studies(std::span<const std::string> named_files
 void tell_boundaries(Provenance& origin, const NamedEnsemble& study, const ZoneOptions& options) {
   for (const std::string& text : thin_boundaries(study, options)) note(text);
   if (!options.has_tails) return;
-  for (const Reach* reach : {&study.ensemble.influence, &study.ensemble.runout}) {
+  for (const ReachOfStudy* reach : {&study.ensemble.influence, &study.ensemble.runout}) {
     const std::string of = (study.name.empty() ? "" : study.name + " ") + reach->quantity;
     const std::optional<TailFit> fit = tail_of(*reach, options);
     if (!fit)

@@ -50,7 +50,7 @@ static std::string polygon(const MapFrame& frame, Side side, double near, double
 }
 
 /// The classes of one side that have a width; a class is empty where one before it ends as far out.
-static void add_zones(std::vector<std::string>& features, const Reach& reach, Side side, const ZoneOptions& options,
+static void add_zones(std::vector<std::string>& features, const ReachOfStudy& reach, Side side, const ZoneOptions& options,
                       const MapFrame& frame) {
   const std::optional<TailFit> tail = tail_of(reach, options);
   const auto found = tail ? boundaries_by_tail(reach.sample, options.classes, *tail) : boundaries(reach.sample, options.classes);
@@ -71,7 +71,7 @@ static void add_zones(std::vector<std::string>& features, const Reach& reach, Si
 static std::string structure_feature(const Structure& structure, const Ensemble& ensemble, const ZoneOptions& options,
                                      const MapFrame& frame) {
   const Side side = structure.is_at_toe ? Side::toe : Side::crest;
-  const Reach& reach = structure.is_at_toe ? ensemble.runout : ensemble.influence;
+  const ReachOfStudy& reach = structure.is_at_toe ? ensemble.runout : ensemble.influence;
   const Estimate hazard = exceedance_estimate(reach.sample, structure.distance, options.band);
   const auto class_at = [&](double probability) { return quoted(class_of(options.classes, probability)); };
   return feature("{\"type\": \"Point\", \"coordinates\": " + position(place_at(frame, side, structure.distance)) + "}",

@@ -96,7 +96,7 @@ static void add_line(Table& table, const std::string& study, const Line& line, c
 
 // ---- classes ----
 
-std::optional<TailFit> tail_of(const Reach& reach, const ZoneOptions& options) {
+std::optional<TailFit> tail_of(const ReachOfStudy& reach, const ZoneOptions& options) {
   if (!options.has_tails || has_blocks(reach.sample) || count_of(reach.sample, Knowledge::exact) < reach.sample.size()) return std::nullopt;
   return tail_fit(known_values(reach.sample));
 }
@@ -120,7 +120,7 @@ std::vector<std::string> thin_boundaries(const NamedEnsemble& study, const ZoneO
 
 static Lines class_lines(const NamedEnsemble& study, const ZoneOptions& options) {
   Lines lines;
-  for (const Reach* reach : {&study.ensemble.influence, &study.ensemble.runout}) {
+  for (const ReachOfStudy* reach : {&study.ensemble.influence, &study.ensemble.runout}) {
     const std::optional<TailFit> tail = tail_of(*reach, options);
     const auto found = tail ? boundaries_by_tail(reach->sample, options.classes, *tail) : boundaries(reach->sample, options.classes);
     for (const Boundary& boundary : found)
@@ -142,7 +142,7 @@ Table class_table(std::span<const NamedEnsemble> studies, const ZoneOptions& opt
 // ---- curves ----
 
 /// Distances that cover the reach of every study.
-static std::vector<double> shared_distances(std::span<const NamedEnsemble> studies, Reach Ensemble::*reach) {
+static std::vector<double> shared_distances(std::span<const NamedEnsemble> studies, ReachOfStudy Ensemble::*reach) {
   double farthest = 0;
   for (const NamedEnsemble& study : studies)
     farthest = larger(farthest, moments_of(known_values((study.ensemble.*reach).sample)).maximum());
@@ -153,7 +153,7 @@ static Lines curve_lines(const NamedEnsemble& study, const ZoneOptions& options,
   Lines lines;
   const double failure = failure_probability(study.ensemble).value;
   for (const auto member : {&Ensemble::influence, &Ensemble::runout}) {
-    const Reach& reach = study.ensemble.*member;
+    const ReachOfStudy& reach = study.ensemble.*member;
     for (const CurvePoint& point :
          exceedance_curve(reach.sample, known_values(reach.slides), failure, shared_distances(studies, member), options.band))
       lines.push_back(
@@ -177,7 +177,7 @@ Table curve_table(std::span<const NamedEnsemble> studies, const ZoneOptions& opt
 static Lines structure_lines(const NamedEnsemble& study, std::span<const Structure> structures, const ZoneOptions& options) {
   Lines lines;
   for (const Structure& structure : structures) {
-    const Reach& reach = structure.is_at_toe ? study.ensemble.runout : study.ensemble.influence;
+    const ReachOfStudy& reach = structure.is_at_toe ? study.ensemble.runout : study.ensemble.influence;
     lines.push_back({{structure.name, structure.is_at_toe ? "toe" : "crest", format_real(structure.distance)},
                      exceedance_estimate(reach.sample, structure.distance, options.band),
                      {}});

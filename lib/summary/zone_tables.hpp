@@ -36,7 +36,7 @@ std::vector<Structure> parse_structures(std::string_view bytes, const std::strin
 
 /// The tail of a reach, if asked for and there is one: nothing where runs are censored, diverged, drawn in blocks or too
 /// few.
-std::optional<TailFit> tail_of(const Reach& reach, const ZoneOptions& options);
+std::optional<TailFit> tail_of(const ReachOfStudy& reach, const ZoneOptions& options);
 
 /// Threshold, exceedances, scale, shape and distance of a fit in a line.
 std::string words_on(const TailFit& fit);

@@ -21,13 +21,13 @@ struct Lattice {
     x0 = x;
     y0 = y;
   }
-  Reach measured() const {
+  ReachOfRun measured() const {
     return reach({x, y, x0, y0}, {.crest = {3, 2}, .toe = {4, 0}, .cell_x = 1, .cell_y = 1, .spacing_x = 0.5, .spacing_y = 0.5});
   }
 };
 
 TEST(Reach, IsZeroWhereNothingMoved) {
-  const Reach reached = Lattice().measured();
+  const ReachOfRun reached = Lattice().measured();
   EXPECT_FALSE(reached.has_slid);
   EXPECT_EQ(reached.runout, 0);
   EXPECT_EQ(reached.influence, 0);
@@ -45,7 +45,7 @@ TEST(Reach, MeasuresTheFrontOfTheBodyThatHangsTogether) {
   points.x[31] = 4.3;  // the next cell still touches the body
   points.y[31] = 0.25;
   points.x[30] = 9.6;  // thrown ahead
-  const Reach reached = points.measured();
+  const ReachOfRun reached = points.measured();
   EXPECT_TRUE(reached.has_slid);
   EXPECT_DOUBLE_EQ(reached.runout, 4.3 + 0.25 - 4);
   EXPECT_DOUBLE_EQ(reached.runout_max, 9.6 + 0.25 - 4);
@@ -56,7 +56,7 @@ TEST(Reach, MeasuresInfluenceFromTheCrestBack) {
   Lattice points;
   for (std::size_t p = 0; p < points.x.size(); ++p)
     if (points.x[p] > 2) points.y[p] *= 0.65;  // the columns beyond x = 2 lose 0.6 m
-  const Reach reached = points.measured();
+  const ReachOfRun reached = points.measured();
   EXPECT_DOUBLE_EQ(reached.influence, 1.0);  // crest at 3, first failed column starts at 2
   EXPECT_EQ(reached.influence_1m, 0);
 }
@@ -67,7 +67,7 @@ TEST(Reach, InfluenceIsTheDecimalThatItLooksLike) {
   for (int column = 0; column < 125; ++column) x.push_back(0.2 * (column + 0.5));
   const std::vector<double> before = y;
   std::fill(y.begin() + 81, y.end(), 4.0);
-  const Reach reached =
+  const ReachOfRun reached =
       reach({x, y, x, before}, {.crest = {20, 5}, .toe = {25, 0}, .cell_x = 0.2, .cell_y = 0.2, .spacing_x = 0.2, .spacing_y = 0.2});
   EXPECT_EQ(reached.influence, 3.8);
 }
