@@ -37,7 +37,7 @@ use_of() { mpmrun changed.toml --explain | awk -F'\t' -v part="$1" '$1 == part {
 
 @test "wrong command lines exit 64" {
   for options in "" "$scene --no-such-option" "$scene --sample 1" "$scene --points p.h5 --sample 0" "$scene --points p.h5 --sample 010" \
-    "$scene --every 1s" "$scene --frames f --every 0s" "$scene --frames f --every 1kg" "$scene --threads 0" "$scene extra" "$scene --make-in-situ --in-situ f" \
+    "$scene --every 1s" "$scene --frames f --every 0s" "$scene --frames f --every 1kg" "$scene --threads 0" "$scene --threads 1025" "$scene extra" "$scene --make-in-situ --in-situ f" \
     "$scene --in-situ f --frames f" "$scene --points - --in-situ -" "- --points -"; do
     # shellcheck disable=SC2086
     run --separate-stderr mpmrun $options
@@ -334,6 +334,13 @@ slow() { edited "s/^mean = .*/mean = \"3 kPa\"/; s/^protocol = .*/protocol = \"r
   run --separate-stderr mpmrun changed.toml
   assert_equal "$(tsv_value status <<<"$output")" diverged
   assert_regex "$stderr" 'warning: left the domain: .*warning: diverged: the energy balance misses [0-9.]+ % of the work done after step '
+}
+
+@test "a system that gives fewer threads than asked for ends no run" {
+  mpmrun "$scene" -o alone.tsv
+  run bash -c "ulimit -v 400000; mpmrun '$scene' --threads 1000 -o crowd.tsv" # 8 MB of address space each
+  assert_success
+  cmp alone.tsv crowd.tsv
 }
 
 @test "files that cannot be created are told before the run" {

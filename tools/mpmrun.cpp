@@ -193,7 +193,7 @@ int main(int argc, char** argv) {
       app.add_option("--in-situ", options.in_situ, "Start from the file of --make-in-situ; the row is the same, and some time is saved");
   in_situ->excludes(frames);
   app.add_option("--threads", options.threads, "Threads that share a run of 100,000 points or more; the result does not depend on it")
-      ->check(whole_number(1))
+      ->check(whole_number(1, 1024))
       ->capture_default_str();
   app.add_flag("--make-in-situ", options.makes_stage,
                "In place of a row, write the state before any point yields, which all realizations share (HDF5)")

@@ -1,9 +1,15 @@
 #include "core/workers.hpp"
 
+#include <system_error>
+
 namespace slidezone {
 
 Workers::Workers(int threads) {
-  for (int k = 1; k < threads; ++k) threads_.emplace_back([this] { serve(); });
+  threads_.reserve(static_cast<std::size_t>(threads));
+  try {
+    for (int k = 1; k < threads; ++k) threads_.emplace_back([this] { serve(); });
+  } catch (const std::system_error&) {  // those that there are share the tasks
+  }
 }
 
 Workers::~Workers() {

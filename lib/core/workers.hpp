@@ -12,7 +12,7 @@ namespace slidezone {
 
 class Workers {
  public:
-  /// `threads` >= 1 in all: the caller of `each` is one of them.
+  /// `threads` >= 1 in all: the caller of `each` is one of them. Fewer where the system gives no more.
   explicit Workers(int threads);
   ~Workers();
   Workers(const Workers&) = delete;
