@@ -327,6 +327,14 @@ in_map() { python3 -c 'import json, sys; m = json.load(open("zones.geojson")); p
   assert_regex "$(in_map 'm["tail of runout_m"]')" '^threshold 12'
 }
 
+@test "a toe that the map puts far from the crest is told" {
+  ladder 1000 >rows.tsv
+  site_scene | sed 's/"1005 m"/"10005 m"/' >scene.toml
+  run --separate-stderr zoning --quiet rows.tsv --map scene.toml
+  assert_success
+  assert_equal "$stderr" "zoning: warning: scene.toml: [site] puts the toe 9005 m from the crest, the section 5 m"
+}
+
 @test "a map wants a scene with a site, and stands alone" {
   ladder 3 >rows.tsv
   site_scene | sed '/^\[site\]/,$d' >scene.toml

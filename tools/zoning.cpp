@@ -5,6 +5,7 @@
 //   zoning rows/*.tsv --structures structures.tsv
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -98,8 +99,19 @@ std::vector<Structure> structures_of(const Options& options) {
   return parse_structures(read_input(options.structures), input_name(options.structures));
 }
 
+/// One of the two may be mistyped, and zones would be drawn far from the slope.
+void warn_of_distant_toe(const Scene& scene) {
+  const Site& site = *scene.site;
+  const double on_map = std::hypot(site.toe.x - site.crest.x, site.toe.y - site.crest.y);
+  const double in_section = scene.slope.toe.x - scene.slope.crest.x;
+  if (std::abs(on_map - in_section) > 1 + 0.1 * in_section)
+    warn(scene.name + ": [site] puts the toe " + format_brief(on_map, 8) + " m from the crest, the section " + format_brief(in_section) +
+         " m");
+}
+
 std::string map_of(const NamedEnsemble& study, const ZoneOptions& zones, const Options& options, Provenance& origin) {
   const Scene scene = read_scene(options.site, {.site = true});
+  warn_of_distant_toe(scene);
   const Site& site = *scene.site;
   origin.details.emplace_back("scene", scene.checksum);
   return zone_map(study.ensemble, structures_of(options), zones, {site.crest, site.toe, site.bearing, site.width}, site.epsg, origin);
