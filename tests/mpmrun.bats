@@ -182,6 +182,16 @@ slow() { edited "s/^mean = .*/mean = \"3 kPa\"/; s/^protocol = .*/protocol = \"r
   mpmrun changed.toml | cmp - row.tsv
 }
 
+@test "in single precision runs start from a stage of their own, with the same bytes; that of double is refused" {
+  slow ''
+  mpmrun changed.toml --make-in-situ --quiet -o double.h5
+  slow '$a [method]\nprecision = "single"'
+  mpmrun changed.toml --make-in-situ --quiet | mpmrun changed.toml --in-situ - -o row.tsv
+  mpmrun changed.toml | cmp - row.tsv
+  run -65 mpmrun changed.toml --in-situ double.h5
+  assert_output --partial "made from another scene"
+}
+
 @test "where realizations differ or yield from the start, the in-situ stage is empty and rows are the same" {
   local change
   for change in 's/^protocol = .*/protocol = "k0"\nk0 = 0/; /^ramp_time/d' \
