@@ -28,7 +28,7 @@ assert_less() {
 }
 
 @test "every row has every column, and every table a picture" {
-  for table in realization field study two_level; do
+  for table in realization field study two_level study_precision; do
     run awk -F '\t' 'NR == 1 { columns = NF } NF != columns || /\t\t|^\t|\t$/ { print FILENAME ": " $0 } END { exit NR < 3 }' "$OUT/quick/$table.tsv"
     assert_success
     refute_output
@@ -39,8 +39,15 @@ assert_less() {
 }
 
 @test "one realization: smaller cells bring the surface nearer to the finest, and cost more" {
-  assert_less "$(value realization surface_error_percent cell_m=0.2)" "$(value realization surface_error_percent cell_m=0.4)"
-  assert_less "$(value realization time_s cell_m=0.4)" "$(value realization time_s cell_m=0.2)"
+  assert_less "$(value realization surface_error_percent series=cell cell_m=0.2)" "$(value realization surface_error_percent series=cell cell_m=0.4)"
+  assert_less "$(value realization time_s series=cell cell_m=0.4)" "$(value realization time_s series=cell cell_m=0.2)"
+}
+
+@test "one realization: single precision is as near to the finest as double" {
+  for error in influence_error_percent runout_error_percent surface_error_percent energy_error_percent; do
+    # A run of 15 s moved R by 0.03 % at most; the table has a digit or two after the point.
+    assert_near "$(value realization $error series=precision precision=single)" "$(value realization $error series=precision precision=double)" 0.11
+  done
 }
 
 @test "fields: the covariance gets better with the mesh; Cholesky's field is the separable one, for more time and memory" {
@@ -60,5 +67,15 @@ assert_less() {
     done
     assert_between "$(value two_level correlation quantity=$quantity statistic=mean)" -1 1
     assert_less "$(value two_level cost_ratio quantity=$quantity statistic=mean)" 1
+  done
+}
+
+@test "studies: single precision changes no statistic by a tenth of the standard error of the mean" {
+  for quantity in influence_m runout_m; do
+    error=$(value study_precision standard_error_of_mean_m quantity=$quantity)
+    assert_finite "$error"
+    for statistic in mean sd 10_percent 1_percent; do
+      assert_near "$(value study_precision ${statistic}_difference_m quantity=$quantity)" 0 "$(awk -v e="$error" 'BEGIN { print e / 10 }')"
+    done
   done
 }
