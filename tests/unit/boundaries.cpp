@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <numeric>
 
 #include "mpm/simulation.hpp"
 #include "mpm_models.hpp"
 
 namespace slidezone {
 namespace {
+
+double mean_x(const Points& points) { return std::accumulate(points.x.begin(), points.x.end(), 0.) / static_cast<double>(points.count()); }
 
 TEST(Base, StopsASlidingBlockByFriction) {
   Model model = block(1, 0, 3, 1, elastic);
@@ -22,12 +24,9 @@ TEST(Base, StopsASlidingBlockByFriction) {
   }
   throw_all(model, 3, 0);
   model.time.end = 1.5;
-  const std::vector<double> x0 = model.points.x;
   const Outcome outcome = simulate(model);
-  double moved = 0;
-  for (std::size_t p = 0; p < x0.size(); ++p) moved += (outcome.points.x[p] - x0[p]) / static_cast<double>(x0.size());
   // v^2 / (2 mu g) = 1.529 m; the elastic block swings as it slides, which spreads the contact pressure: 2 %.
-  EXPECT_NEAR(moved, 9 / (2 * 0.3 * 9.81), 0.02 * 1.529);
+  EXPECT_NEAR(mean_x(outcome.points) - mean_x(model.points), 9 / (2 * 0.3 * 9.81), 0.02 * 1.529);
   EXPECT_LT(std::abs(outcome.energy.missing()), 0.01 * outcome.energy.friction_work);
 }
 
@@ -55,12 +54,9 @@ TEST(TwoBodyBase, StopsASlidingBlockByFriction) {
   throw_all(model, 3, 0);
   model.time.end = 1.5;
   model.time.step_fraction = 0.1;
-  const std::vector<double> x0 = model.points.x;
   const Outcome outcome = simulate(model);
-  double moved = 0;
-  for (std::size_t p = 0; p < x0.size(); ++p) moved += (outcome.points.x[p] - x0[p]) / static_cast<double>(x0.size());
   // Normals lean at the block's ends, which adds resistance there: 1.18, 1.36, 1.46, 1.51 m at 6, 12, 24, 48 cells of length.
-  EXPECT_NEAR(moved, 9 / (2 * 0.3 * 9.81), 0.03 * 1.529);
+  EXPECT_NEAR(mean_x(outcome.points) - mean_x(model.points), 9 / (2 * 0.3 * 9.81), 0.03 * 1.529);
 }
 
 TEST(TwoBodyBase, LetsSoilLiftOff) {
