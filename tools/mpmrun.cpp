@@ -123,6 +123,8 @@ static void run(const Options& options) {
   report_doubts(doubts_on(scene));
   const MaterialPoints points = material_points(scene);
   if (options.makes_stage) return make_stage(options, scene, points);
+  if (options.points.empty())
+    for (const std::string& text : differences_of_means(scene)) note(text);
   std::optional<FieldSample> sample;
   std::string points_checksum;
   if (!options.points.empty()) {

@@ -12,10 +12,23 @@ namespace slidezone {
 static constexpr double least_weight = 2e3, most_weight = 50e3;  // N/m^3
 static constexpr double most_friction = 2;
 static constexpr double most_poisson_ratio = 0.45;
-static constexpr double least_length = 2;     // spacings of points
-static constexpr double most_cohesion = 0.1;  // of Young's modulus
+static constexpr double least_length = 2;       // spacings of points
+static constexpr double most_cohesion = 0.1;    // of Young's modulus
+static constexpr double most_difference = 0.1;  // of the mean
 
 static std::string kilo(double value, const std::string& unit) { return format_brief(value / 1000, 6) + " k" + unit; }
+
+/// Of a field that has one mean at every depth.
+static void compare_means(std::vector<std::string>& notes, const FieldSpec& spec, const Scene& scene) {
+  if (spec.model.marginal.distribution == Distribution::empirical || spec.model.trend.gradient != 0) return;
+  for (const std::size_t soil : spec.soils) {
+    const Layer& layer = scene.layers[soil];
+    const double part = value_of(layer.material, spec.parameter) / spec.model.marginal.mean;
+    if (std::abs(part - 1) > most_difference)
+      notes.push_back("soil \"" + layer.name + "\" has " + format_brief(part, 3) + " times the mean of its field " + spec.name +
+                      ": that is what realization 0, this run, has");
+  }
+}
 
 Doubts doubts_on(const Scene& scene) {
   Doubts doubts;
@@ -43,6 +56,12 @@ Doubts doubts_on(const Scene& scene) {
                               " m hardly averages where points lie " + format_brief(spacing) +
                               " m apart: take at least two spacings, or results depend on the cells");
   return doubts;
+}
+
+std::vector<std::string> differences_of_means(const Scene& scene) {
+  std::vector<std::string> notes;
+  for (const FieldSpec& spec : scene.fields) compare_means(notes, spec, scene);
+  return notes;
 }
 
 }  // namespace slidezone

@@ -6,6 +6,7 @@
 //              (pipelines/verification/README.md)
 //   averaging  nonlocal softening over less than two spacings of the points: it hardly averages, and results depend on the cells
 //   yielding   a cohesion above a tenth of Young's modulus: soil that gives way at no strain that a slope sees
+//   means      a value of a soil that differs by more than a tenth from the mean of its field
 #pragma once
 
 #include <string>
@@ -21,5 +22,8 @@ struct Doubts {
 };
 
 Doubts doubts_on(const Scene& scene);
+
+/// What the deterministic run has otherwise than random ones have on average.
+std::vector<std::string> differences_of_means(const Scene& scene);
 
 }  // namespace slidezone
