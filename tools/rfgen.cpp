@@ -9,14 +9,12 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
 #include "core/progress.hpp"
 #include "core/provenance.hpp"
 #include "core/random.hpp"
-#include "core/text.hpp"
 #include "core/tool.hpp"
 #include "io/file.hpp"
 #include "io/hdf5_image.hpp"

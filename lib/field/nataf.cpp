@@ -1,6 +1,5 @@
 #include "field/nataf.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>

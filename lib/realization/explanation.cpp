@@ -1,6 +1,5 @@
 #include "realization/explanation.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/text.hpp"

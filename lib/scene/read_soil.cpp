@@ -1,8 +1,6 @@
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
-#include "core/text.hpp"
 #include "scene/read_tables.hpp"
 #include "scene/slope.hpp"
 

@@ -16,7 +16,6 @@
 // of as many independent runs at best. Slow tests simulate both.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "stats/interval.hpp"

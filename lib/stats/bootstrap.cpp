@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "stats/gsl_errors.hpp"
 
 namespace slidezone {
 

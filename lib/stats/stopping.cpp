@@ -1,6 +1,5 @@
 #include "stats/stopping.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/text.hpp"

@@ -1,6 +1,5 @@
 #include "zoning/zoning.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
