@@ -19,7 +19,6 @@ set autoscale xfix
 set xtics out nomirror
 set ytics out nomirror
 set style fill solid 1 border lc "#ffffff"
-set key top left Left reverse samplen 3
 if (!has_slides) { set xrange [0:1]; set label 1 "no run slid" at graph 0.5, 0.5 center }
 
 do for [format in "png svg"] {
@@ -30,16 +29,17 @@ do for [format in "png svg"] {
     do for [panel in "influence_m runout_m"] {
       set title (panel eq "influence_m" ? "Influence distance I" : "Runout distance R").(kind eq "density" ? ": density (1/m)" : ": share at or below")
       set xlabel kind eq "cumulative" ? "m" : ""
+      if (kind eq "density") { set key top right Left reverse samplen 3 } else { set key top left Left reverse samplen 3 }
       set yrange [0:*]
       if (kind eq "cumulative" || !has_slides) { set yrange [0:1] }
       if (!has_slides) { plot NaN notitle; continue }
       if (kind eq "density") {
         plot histogram using (of(panel, (column("low_m") + column("high_m")) / 2)):"density":(column("high_m") - column("low_m")) \
                with boxes lc "#c6dbef" title "runs", \
-             for [i = 1:5] densities using "distance_m":(of(panel, column(family[i]."_density"))) with lines lc rgb colour[i] lw 2 dt dash[i] title name[i]
+             for [i = 1:5] densities using (of(panel, column("distance_m"))):(of(panel, column(family[i]."_density"))) with lines lc rgb colour[i] lw 2 dt dash[i] title name[i]
       } else {
-        plot densities using "distance_m":(of(panel, column("empirical_cumulative"))) with lines lc "#08306b" lw 3 title "runs", \
-             for [i = 1:5] densities using "distance_m":(of(panel, column(family[i]."_cumulative"))) with lines lc rgb colour[i] lw 2 dt dash[i] title name[i]
+        plot densities using (of(panel, column("distance_m"))):(of(panel, column("empirical_cumulative"))) with lines lc "#08306b" lw 3 title "runs", \
+             for [i = 1:5] densities using (of(panel, column("distance_m"))):(of(panel, column(family[i]."_cumulative"))) with lines lc rgb colour[i] lw 2 dt dash[i] title name[i]
       }
     }
   }
