@@ -153,8 +153,6 @@ for k, frame in enumerate(index):
 END
 }
 
-# ---- what ends a run ----
-
 # ---- soil that varies ----
 
 # constant_field NAME MEAN: a field of nearly no spread.
@@ -174,7 +172,7 @@ slow() { edited "s/^mean = .*/mean = \"3 kPa\"/; s/^protocol = .*/protocol = \"r
   assert_schema stage in_situ.h5
   rfgen changed.toml -n 2 | rfmap changed.toml - -o points.h5
   mpmrun changed.toml --points points.h5 --sample 2 --state whole.hdf -o whole.tsv
-  assert_equal "$(awk '/^2/ { print $2 }' whole.tsv)" slid
+  assert_equal "$(awk '/^2/ { print $2 }' whole.tsv)" left_domain # it fails back to the left wall
   mpmrun changed.toml --points points.h5 --sample 2 --in-situ in_situ.h5 --state state.hdf -o row.tsv
   cmp row.tsv whole.tsv
   cmp state.hdf whole.hdf
@@ -297,12 +295,38 @@ slow() { edited "s/^mean = .*/mean = \"3 kPa\"/; s/^protocol = .*/protocol = \"r
   assert_output --partial "beyond the stability limit"
 }
 
+# ---- what ends a run ----
+
 @test "a slope that reaches the end of the grid is censored" {
   edited 's/^width = .*/width = "5.5 m"/; s/^cohesion = .*/cohesion = "0.2 kPa"/; s/^residual_cohesion = .*/residual_cohesion = "0.1 kPa"/; /^\[field/,/^$/d'
   run --separate-stderr mpmrun changed.toml
   assert_success
   assert_equal "$(tsv_value status <<<"$output")" left_domain
   assert_regex "$stderr" '^mpmrun: warning: left the domain: point [0-9]+ at .* lies outside the grid of .* at step [0-9]+, time [0-9.]+ s$'
+}
+
+@test "a failure that reaches the left wall is censored, and counts all of the ground behind the crest" {
+  for cohesion in 6 10 12; do
+    sed "s/^cohesion = .*/cohesion = \"$cohesion kPa\"/" "$TOP/pipelines/demo/scene.toml" >weak.toml
+    run --separate-stderr mpmrun weak.toml
+    assert_success
+    assert_equal "$(tsv_value status <<<"$output")" left_domain
+    assert_equal "$(tsv_value influence_m <<<"$output")" 20
+    assert_regex "$stderr" 'warning: left the domain: the failure reaches the left wall after step [0-9]+, time 15 s, .*; lengthen the ground'
+  done
+}
+
+@test "with more ground behind the crest it goes on there, and behind a plane of symmetry nothing is cut short" {
+  local weak='s/^cohesion = .*/cohesion = "10 kPa"/'
+  sed "$weak; s/^length = .*/length = \"45 m\"/; s/^width = .*/width = \"120 m\"/" "$TOP/pipelines/demo/scene.toml" >long.toml
+  mpmrun long.toml -o row.tsv
+  assert_equal "$(tsv_value status <row.tsv)" slid
+  assert_between "$(tsv_value influence_m <row.tsv)" 20.4 40
+  sed "$weak; s/^left = .*/left = \"symmetry\"/" "$TOP/pipelines/demo/scene.toml" >half.toml
+  run --separate-stderr mpmrun half.toml
+  assert_equal "$(tsv_value status <<<"$output")" slid
+  assert_equal "$(tsv_value influence_m <<<"$output")" 20
+  refute_regex "$stderr" warning
 }
 
 @test "a strong slope stands: status stable, reach 0" {

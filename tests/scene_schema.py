@@ -112,8 +112,8 @@ BAD = [
     ("layers", "friction = 0.3\n", 'friction = @"30 deg"\n', "'friction' wants a number without unit, found \"30 deg\""),
     ("cut", re.compile(r'\[walls\].*?(?=\[)', re.S), "@[[walls]]\n", "'walls' wants a table, found a list; write [walls]"),
     ("cut", 'right = "open"', '@rigth = "open"', "unknown key 'rigth' in [walls]; did you mean 'right'?"),
-    ("cut", '"roller"', '@"rollr"', "'left' wants roller, stick or open, found \"rollr\"; did you mean 'roller'?"),
-    ("cut", '"open"', '@"shut"', "'right' wants roller, stick or open, found \"shut\""),
+    ("cut", '"roller"', '@"rollr"', "'left' wants roller, stick, open or symmetry, found \"rollr\"; did you mean 'roller'?"),
+    ("cut", '"open"', '@"shut"', "'right' wants roller, stick, open or symmetry, found \"shut\""),
     # [gravity]
     ("cut", re.compile(r'\[gravity\].*?(?=\[)', re.S), "@[[gravity]]\n", "'gravity' wants a table, found a list; write [gravity]"),
     ("cut", 'protocol = "k0"', '@protocoll = "k0"', "unknown key 'protocoll' in [gravity]; did you mean 'protocol'?"),

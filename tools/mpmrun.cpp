@@ -99,10 +99,14 @@ static void report_doubts(const Doubts& doubts) {
 static void report_trouble(const Row& row, const Outcome& outcome) {
   if (!outcome.trouble.empty()) warn((outcome.ending == Ending::diverged ? "diverged: " : "left the domain: ") + outcome.trouble);
   if (outcome.ending == Ending::diverged) return;
+  const std::string at_end = " after step " + std::to_string(outcome.steps) + ", time " + format_brief(outcome.time) + " s";
+  if (row.status == Status::left_domain && outcome.ending != Ending::left_domain)
+    warn("left the domain: the failure reaches the left wall" + at_end +
+         ", so that influence and runout are lower bounds; lengthen the ground behind the crest, or write left = \"symmetry\" in [walls] "
+         "where nothing lies behind");
   const std::string missed = "the energy balance misses " + format_brief(100 * std::abs(row.energy_error), 3) + " % of the work done";
   if (row.status == Status::diverged)
-    warn("diverged: " + missed + " after step " + std::to_string(outcome.steps) + ", time " + format_brief(outcome.time) +
-         " s; take a smaller time step");
+    warn("diverged: " + missed + at_end + "; take a smaller time step");
   else if (std::abs(row.energy_error) > energy_error_warning)
     warn(missed + "; take a smaller time step");
 }

@@ -95,8 +95,8 @@ std::vector<std::string> cautions(std::span<const Row> rows) {
   const std::size_t diverged = count_of(rows, Status::diverged);
   if (censored > 0)
     texts.push_back(std::to_string(censored) +
-                    " of the runs left the grid: their reach is a lower bound, and so are means and quantiles; "
-                    "make the grid longer");
+                    " of the runs left the grid, or failed back to the left wall: their reach is a lower bound, and so are means and "
+                    "quantiles; make the grid longer, or the ground behind the crest");
   if (diverged > 0)
     texts.push_back(std::to_string(diverged) +
                     " of the runs diverged: means leave them out, bands of probabilities and quantiles allow "

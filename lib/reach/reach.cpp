@@ -63,9 +63,17 @@ class Occupancy {
 /// reached by 3.8000000000000007 m.
 double rounded(double length) { return std::round(length * 1e9) / 1e9; }
 
-/// Crest minus the left edge of the first column that dropped by more than `drop` beyond the left-most one.
-double influence(const std::vector<double>& before, const std::vector<double>& now, double drop, const ReachSettings& settings) {
-  const double settlement = before[0] - now[0];
+/// By how much compression of the points that began in the left-most column lowers its top.
+double compression_at_left(const Displaced& points, const ReachSettings& settings) {
+  double lost = 0;
+  for (std::size_t p = 0; p < points.x.size(); ++p)
+    if (points.initial_x[p] < settings.cell_x) lost += settings.spacing_x * settings.spacing_y - points.volume[p];
+  return lost / settings.cell_x;
+}
+
+/// Crest minus the left edge of the first column that dropped by more than `drop` beyond `settlement`.
+double influence(const std::vector<double>& before, const std::vector<double>& now, double settlement, double drop,
+                 const ReachSettings& settings) {
   for (std::size_t column = 0; column < before.size(); ++column) {
     const double left_edge = static_cast<double>(column) * settings.cell_x;
     if (left_edge >= settings.crest.x) break;
@@ -100,8 +108,13 @@ ReachOfRun reach(const Displaced& points, const ReachSettings& settings) {
   }
   const auto before = column_tops(points.initial_x, points.initial_y, settings.cell_x, settings.spacing_y);
   const auto now = column_tops(points.x, points.y, settings.cell_x, settings.spacing_y);
-  result.influence = influence(before, now, settings.influence_drop, settings);
-  result.influence_1m = influence(before, now, 1.0, settings);
+  const double dropped = before[0] - now[0];  // nan where the left-most column is empty
+  const double compression = compression_at_left(points, settings);
+  const bool is_reference = dropped - compression <= 0.5 * settings.influence_drop;
+  result.has_reached_left_wall = result.has_slid && !is_reference;
+  const double settlement = is_reference ? dropped : compression;
+  result.influence = influence(before, now, settlement, settings.influence_drop, settings);
+  result.influence_1m = influence(before, now, settlement, 1.0, settings);
   return result;
 }
 

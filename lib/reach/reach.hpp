@@ -6,6 +6,11 @@
 // Influence I: crest minus the left edge of the first surface column, from the left, whose top dropped by more than
 // `influence_drop` beyond what the left-most column dropped (so that settlement cancels), to the nanometre. 0 if none did.
 // Where nothing moved that far all distances are 0. Lengths in m, areas in m^2.
+//
+// The left-most column is no reference once its soil flows away. Its drop is then more than its soil was compressed,
+//   flow = drop - (V_0 - V) / cell_x,   V the volume now of the points that began in it,
+// and beyond half of influence_drop the failure has reached the left wall: what the soil was compressed stands for settlement, and with
+// more ground behind it both distances would be these or more.
 #pragma once
 
 #include <span>
@@ -15,9 +20,9 @@
 
 namespace slidezone {
 
-/// Positions now and at the start of the same points.
+/// Positions now and at the start of the same points, and their volumes now, m^3/m.
 struct Displaced {
-  std::span<const double> x, y, initial_x, initial_y;
+  std::span<const double> x, y, initial_x, initial_y, volume;
 };
 
 struct ReachSettings {
@@ -38,6 +43,7 @@ struct ReachOfRun {
   double runout_max = 0;
   double displaced_area = 0;  // initial area of the points that moved by more than slid_displacement
   bool has_slid = false;      // some point did
+  bool has_reached_left_wall = false;
 };
 
 ReachOfRun reach(const Displaced& points, const ReachSettings& settings);

@@ -143,10 +143,15 @@ Model model_of(const Scene& scene, const MaterialPoints& points, const std::opti
 
 // ---- from a run to its row ----------------------------------------------------------------------------------------------------
 
-static Status status_of(const Outcome& outcome, bool has_slid) {
+static Status status_of(const Outcome& outcome, bool has_reached_end, bool has_slid) {
   if (outcome.ending == Ending::diverged || !(std::abs(outcome.energy.error()) < energy_error_failure)) return Status::diverged;
-  if (outcome.ending == Ending::left_domain) return Status::left_domain;
+  if (has_reached_end) return Status::left_domain;
   return has_slid ? Status::slid : Status::stable;
+}
+
+/// Whether ground that the scene leaves out goes on behind the left wall.
+static bool goes_on_at_left(const Scene& scene) {
+  return scene.boundaries.left == Wall::roller || scene.boundaries.left == Wall::stick;
 }
 
 Row row_of(const Scene& scene, const MaterialPoints& points, const std::optional<FieldSample>& sample, const Outcome& outcome) {
@@ -162,10 +167,11 @@ Row row_of(const Scene& scene, const MaterialPoints& points, const std::optional
   row.status = Status::diverged;
   if (outcome.ending == Ending::diverged) return row;
 
-  const ReachOfRun reached = reach({outcome.points.x, outcome.points.y, points.x, points.y},
+  const ReachOfRun reached = reach({outcome.points.x, outcome.points.y, points.x, points.y, outcome.points.volume},
                                    {scene.slope.crest, scene.slope.toe, scene.discretization.grid.cell_x, scene.discretization.grid.cell_y,
                                     points.spacing_x, points.spacing_y, scene.output.influence_drop, scene.output.slid_displacement});
-  row.status = status_of(outcome, reached.has_slid);
+  const bool has_reached_end = outcome.ending == Ending::left_domain || (reached.has_reached_left_wall && goes_on_at_left(scene));
+  row.status = status_of(outcome, has_reached_end, reached.has_slid);
   if (row.status == Status::diverged) return row;
   row.influence = reached.influence;
   row.influence_1m = reached.influence_1m;

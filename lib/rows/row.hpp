@@ -2,7 +2,7 @@
 //
 // Distances in m, areas in m2, times in s. A value that does not exist is nan in memory and `nan` in the table: a diverged
 // run has no reach, a run that never came to rest has no time of rest. Every other run has a finite influence and runout;
-// those of a run that left the domain are lower bounds (it was stopped while it moved).
+// those of a run that left the domain are lower bounds (it was stopped while it moved, or the ground ended before the failure did).
 //
 // Design and block say how the realization was drawn (core/design.hpp). Tables of before these two columns are read as plain.
 // The random realizations of one reading are of one design: an interval has one unit.
@@ -30,9 +30,9 @@ namespace slidezone {
 inline constexpr std::string_view row_schema = "slidezone-row 1";
 
 enum class Status {
-  slid,         // some point moved more than 1 m, and all stayed inside the grid
+  slid,         // some point moved more than 1 m, and the slide has its ends inside the grid
   stable,       // no point moved more than 1 m
-  left_domain,  // a point reached the end of the grid: the reach is a lower bound
+  left_domain,  // a point reached the end of the grid, or the failure the left wall: the reach is a lower bound
   diverged,     // NaN, instability or a broken energy balance: the reach is unknown
 };
 

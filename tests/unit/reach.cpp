@@ -11,7 +11,7 @@ namespace {
 
 /// A slope of 4 x 2 m, points every 0.5 m in cells of 1 m: crest at x = 3, toe at x = 4.
 struct Lattice {
-  std::vector<double> x, y, x0, y0;
+  std::vector<double> x, y, x0, y0, volume;
   Lattice() {
     for (int i = 0; i < 8; ++i)
       for (int j = 0; j < 4; ++j) {
@@ -20,9 +20,10 @@ struct Lattice {
       }
     x0 = x;
     y0 = y;
+    volume.assign(x.size(), 0.25);
   }
   ReachOfRun measured() const {
-    return reach({x, y, x0, y0}, {.crest = {3, 2}, .toe = {4, 0}, .cell_x = 1, .cell_y = 1, .spacing_x = 0.5, .spacing_y = 0.5});
+    return reach({x, y, x0, y0, volume}, {.crest = {3, 2}, .toe = {4, 0}, .cell_x = 1, .cell_y = 1, .spacing_x = 0.5, .spacing_y = 0.5});
   }
 };
 
@@ -37,7 +38,41 @@ TEST(Reach, IsZeroWhereNothingMoved) {
 TEST(Reach, IgnoresSettlementOfTheWholeSlope) {
   Lattice points;
   for (double& y : points.y) y *= 0.6;  // the top settles by 0.7 m everywhere
+  for (double& volume : points.volume) volume *= 0.6;
+  points.x[31] = 5.3;  // something slides
   EXPECT_EQ(points.measured().influence, 0);
+  EXPECT_FALSE(points.measured().has_reached_left_wall);
+}
+
+TEST(Reach, GoesBackToTheWallWhereTheWholeGroundFlows) {
+  Lattice points;
+  for (double& y : points.y) y *= 0.6;  // the top sinks by 0.7 m everywhere, and the soil keeps its volume
+  EXPECT_FALSE(points.measured().has_reached_left_wall);  // nothing moved by 1 m
+  points.x[31] = 5.3;
+  const ReachOfRun reached = points.measured();
+  EXPECT_TRUE(reached.has_reached_left_wall);
+  EXPECT_DOUBLE_EQ(reached.influence, 3.0);
+}
+
+// Drops count from the left-most column as long as it flows by less than half of influence_drop, and from its compression beyond.
+TEST(Reach, LeavesTheLeftMostColumnAsReferenceOnceItFlows) {
+  const auto with_flow = [](double flow) {
+    Lattice points;
+    for (std::size_t p = 0; p < points.x.size(); ++p) points.y[p] -= points.x[p] < 2 ? flow : 0.7;
+    points.x[28] = 5.3;
+    return points.measured();
+  };
+  EXPECT_FALSE(with_flow(0.24).has_reached_left_wall);
+  EXPECT_DOUBLE_EQ(with_flow(0.24).influence, 0.0);  // 0.7 m less 0.24 m
+  EXPECT_TRUE(with_flow(0.26).has_reached_left_wall);
+  EXPECT_DOUBLE_EQ(with_flow(0.26).influence, 1.0);
+}
+
+TEST(Reach, GoesBackToAWallWhoseColumnIsEmpty) {
+  Lattice points;
+  for (double& x : points.x) x += 1.5;
+  EXPECT_TRUE(points.measured().has_reached_left_wall);
+  EXPECT_DOUBLE_EQ(points.measured().influence, 3.0);
 }
 
 TEST(Reach, MeasuresTheFrontOfTheBodyThatHangsTogether) {
@@ -63,12 +98,12 @@ TEST(Reach, MeasuresInfluenceFromTheCrestBack) {
 
 TEST(Reach, InfluenceIsTheDecimalThatItLooksLike) {
   // One point in each column of 0.2 m; the crest is at 20 m, and the columns from 16.2 m on drop. In doubles 20 - 81 * 0.2 is above 3.8.
-  std::vector<double> x, y(125, 5.0);
+  std::vector<double> x, y(125, 5.0), volume(125, 0.04);
   for (int column = 0; column < 125; ++column) x.push_back(0.2 * (column + 0.5));
   const std::vector<double> before = y;
   std::fill(y.begin() + 81, y.end(), 4.0);
   const ReachOfRun reached =
-      reach({x, y, x, before}, {.crest = {20, 5}, .toe = {25, 0}, .cell_x = 0.2, .cell_y = 0.2, .spacing_x = 0.2, .spacing_y = 0.2});
+      reach({x, y, x, before, volume}, {.crest = {20, 5}, .toe = {25, 0}, .cell_x = 0.2, .cell_y = 0.2, .spacing_x = 0.2, .spacing_y = 0.2});
   EXPECT_EQ(reached.influence, 3.8);
 }
 
