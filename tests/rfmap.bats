@@ -155,6 +155,8 @@ setup() {
   run rfmap changed.toml "$fields" -o points.h5
   assert_success
   assert_output --regexp '^rfmap: note: .*fields.h5 was made from another scene than changed.toml, or before it was changed$'
+  run mpmrun changed.toml --points points.h5 --explain # the fields are no fresher for having been mapped by this scene
+  assert_line 'mpmrun: note: points.h5 was made from another scene than changed.toml, or before it was changed'
   run rfmap "$scene" "$fields" -o points.h5
   assert_output ""
   run mpmrun changed.toml --points points.h5 --explain

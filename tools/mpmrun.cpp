@@ -6,6 +6,7 @@
 //
 // Schemas: scene.schema.json, points.json, stage.json, row.json, state.json, table.json, profile.json in data-schemas/.
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -96,7 +97,16 @@ static void report_doubts(const Doubts& doubts) {
   for (const std::string& text : doubts.notes) note(text);
 }
 
-static void report_trouble(const Row& row, const Outcome& outcome) {
+/// What to do where the energy balance does not close.
+static std::string remedy(const EnergyAudit& energy, BaseContact contact) {
+  if (energy.friction_excess <= std::abs(energy.missing()))
+    return "; compare a smaller time step, and note that soil which falls onto its base misses some at any";
+  const std::string cause = ", most of it by friction beyond Coulomb's law: ";
+  if (contact == BaseContact::two_body) return cause + "the normals of a two-body base lean where the soil ends; take finer cells";
+  return cause + "soil that shakes is held down by a bilateral base; a unilateral one with a short step lets it go";
+}
+
+static void report_trouble(const Row& row, const Outcome& outcome, BaseContact contact) {
   if (!outcome.trouble.empty()) warn((outcome.ending == Ending::diverged ? "diverged: " : "left the domain: ") + outcome.trouble);
   if (outcome.ending == Ending::diverged) return;
   const std::string at_end = " after step " + std::to_string(outcome.steps) + ", time " + format_brief(outcome.time) + " s";
@@ -106,9 +116,9 @@ static void report_trouble(const Row& row, const Outcome& outcome) {
          "where nothing lies behind");
   const std::string missed = "the energy balance misses " + format_brief(100 * std::abs(row.energy_error), 3) + " % of the work done";
   if (row.status == Status::diverged)
-    warn("diverged: " + missed + at_end + "; take a smaller time step");
+    warn("diverged: " + missed + at_end + remedy(outcome.energy, contact));
   else if (std::abs(row.energy_error) > energy_error_warning)
-    warn(missed + "; take a smaller time step");
+    warn(missed + remedy(outcome.energy, contact));
 }
 
 static void make_stage(const Options& options, const Scene& scene, const MaterialPoints& points) {
@@ -136,7 +146,7 @@ static void run(const Options& options) {
     const std::string_view image = file.bytes();
     points_checksum = checksum(image);
     sample = field_sample(image, input_name(options.points), points, options.sample);
-    if (sample->scene != scene.checksum)
+    if (sample->scene != scene.checksum || sample->fields_scene != scene.checksum)
       note(input_name(options.points) + " was made from another scene than " + scene.name + ", or before it was changed");
   }
   const auto detailed = [&](const std::string& schema) {
@@ -165,7 +175,7 @@ static void run(const Options& options) {
   });
 
   const Row row = row_of(scene, points, sample, outcome);
-  report_trouble(row, outcome);
+  report_trouble(row, outcome, scene.boundaries.base);
   if (!options.state.empty()) write_output(options.state, state_file(points, outcome.points, state_provenance));
   if (!options.table.empty()) write_output(options.table, points_table(points, outcome.points, detailed("slidezone-table 1")));
   if (!options.profile.empty())

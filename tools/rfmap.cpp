@@ -121,6 +121,7 @@ void run(const Options& options) {
   Provenance origin = provenance("slidezone-points 1", "rfmap");
   origin.details = {{"scene", scene.checksum},
                     {"fields", checksum(image.bytes())},
+                    {"fields_scene", fields.text_attribute("", "scene")},
                     {"seed", fields.text_attribute("", "seed")},
                     {"design", fields.text_attribute("", "design")}};
   file.provenance(origin);

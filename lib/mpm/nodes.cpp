@@ -219,20 +219,28 @@ static void add_to_change(NodesOf<Real>& nodes, std::size_t node, Vec2 free) {
 
 static double along(Vec2 tangent, Vec2 v) { return tangent.x * v.x + tangent.y * v.y; }
 
-/// Remembers what friction did to a node whose velocity would have been `free`; before add_to_change.
+/// Whether a node lies on the base itself: those below do not keep what a two-body base gives them (update_new_velocities).
+template <class Real>
+static bool is_on_base(const NodesOf<Real>& nodes, std::size_t node) {
+  return node % static_cast<std::size_t>(nodes.storage.rows) == NodeStorage::padding;
+}
+
+/// Remembers what the base did to a node whose velocity would have been `free`; before add_to_change.
 template <class Real>
 static void remember_friction(NodesOf<Real>& nodes, std::size_t node, Vec2 free, Vec2 tangent, const NodeSettings& settings, Vec2 gravity) {
+  const Vec2 now = pair_at(nodes.velocity, node);
   const double would_be = along(tangent, free);
-  const double left = along(tangent, pair_at(nodes.velocity, node));
   const double change = along(tangent, pair_at(nodes.change, node));
   const double fall = settings.step * along(tangent, gravity);
+  const double mass = nodes.mass[node];
   nodes.frictions.push_back({.node = node,
+                             .push = {mass * (now.x - free.x), mass * (now.y - free.y)},
+                             .slip = now.x,
                              .tangent = tangent,
-                             .impulse = nodes.mass[node] * (left - would_be),
-                             .force = nodes.mass[node] * (change - fall),
+                             .force = mass * (change - fall),
                              .before = would_be - change,
                              .after = would_be - change,
-                             .is_held = left == 0});
+                             .is_held = would_be != 0 && along(tangent, now) == 0 && is_on_base(nodes, node)});
 }
 
 /// Base contact with friction.
@@ -357,14 +365,10 @@ void update_new_velocities(NodesOf<Real>& nodes, const NodeBox& box, const NodeS
                  [&](std::size_t behind, std::size_t before, Mirror mirror) { reflect_pairs(nodes.new_velocity, behind, before, mirror); });
 }
 
-template <class Real>
-double friction_work(const NodesOf<Real>& nodes) {
-  double work = 0;
-  for (const NodeFriction& friction : nodes.frictions) {
-    work -= 0.5 * friction.impulse * (friction.before + friction.after);
-    if (friction.is_held) work -= friction.force * friction.after;
-  }
-  return work;
+double friction_work(const NodeFriction& friction) {
+  const double impulse = along(friction.tangent, friction.push);
+  const double held_back = friction.is_held ? friction.force * friction.after : 0;
+  return -0.5 * impulse * (friction.before + friction.after) - held_back;
 }
 
 // ---- for both precisions ------------------------------------------------------------------------------------------------
@@ -387,7 +391,5 @@ template void copy_velocities(NodesOf<double>&, const NodeBox&);
 template void copy_velocities(NodesOf<float>&, const NodeBox&);
 template void update_new_velocities(NodesOf<double>&, const NodeBox&, const NodeSettings&);
 template void update_new_velocities(NodesOf<float>&, const NodeBox&, const NodeSettings&);
-template double friction_work(const NodesOf<double>&);
-template double friction_work(const NodesOf<float>&);
 
 }  // namespace slidezone

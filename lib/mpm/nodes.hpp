@@ -13,15 +13,16 @@
 
 namespace slidezone {
 
-/// What friction did to a node in the step, along `tangent`.
+/// What the base did to a node in the step.
 struct NodeFriction {
   std::size_t node;
-  Vec2 tangent;
-  double impulse;  // of friction, N s/m
-  double force;    // internal force times the step, N s/m
-  double before;   // m/s, of the points on the node before the step
-  double after;    // m/s, of the points after it: new_velocity before walls and base hold it. USL and USF do not know; there: before
-  bool is_held;    // friction keeps the node where it is
+  Vec2 push;      // impulse of the base on the soil, friction included, N s/m
+  double slip;    // m/s, of the node along x, the base, afterwards
+  Vec2 tangent;   // direction of friction; what follows is along it
+  double force;   // internal force times the step, N s/m
+  double before;  // m/s, of the points on the node before the step
+  double after;   // m/s, of the points after it: new_velocity before walls and base hold it. USL and USF do not know; there: before
+  bool is_held;   // friction keeps the node where it is
 };
 
 template <class Real>
@@ -100,11 +101,10 @@ void copy_velocities(NodesOf<Real>& nodes, const NodeBox& box);
 template <class Real>
 void update_new_velocities(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings);
 
-/// What friction took from the soil in the step, J/m; after update_new_velocities. An impulse J on a node changes the kinetic energy of
-/// the points by J (before + after) / 2 exactly, with the velocities that points have on the node; and where friction holds a node
-/// that they would move, the internal force f does less work, by f dt after. The velocity of the node itself will not do for either:
-/// it is 0 where points above a held node slide on.
-template <class Real>
-double friction_work(const NodesOf<Real>& nodes);
+/// What friction took from the soil at a node in the step, J/m; after update_new_velocities. An impulse J on a node changes the kinetic
+/// energy of the points by J (before + after) / 2 exactly, with the velocities that points have on the node; and where friction holds a
+/// node that they would move, the internal force f does less work, by f dt after. The velocity of the node itself will not do for
+/// either: it is 0 where points above a held node slide on.
+double friction_work(const NodeFriction& friction);
 
 }  // namespace slidezone

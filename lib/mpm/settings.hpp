@@ -28,6 +28,9 @@ struct Boundaries {
   double base_friction = 0;  // coefficient, tan of the friction angle
   Wall left = Wall::roller;
   Wall right = Wall::open;
+
+  /// Whether soil can rub on the base.
+  bool has_friction() const { return base != BaseContact::stick && base_friction > 0; }
 };
 
 enum class GravityProtocol {

@@ -35,14 +35,29 @@ double kinetic_energy(const PointsOf<Real>& points) {
   return energy;
 }
 
+template <class Real>
+double height_of(const PointsOf<Real>& points, const Model& model) {
+  const auto [lowest, highest] = std::minmax_element(points.y.begin(), points.y.end());
+  return *highest - *lowest + model.point_spacing_y;
+}
+
 /// Work of gravity on all points over a thousandth of their height.
 template <class Real>
 double work_of_a_small_fall(const PointsOf<Real>& points, const Model& model) {
   constexpr double part = 1e-3;
-  const auto [lowest, highest] = std::minmax_element(points.y.begin(), points.y.end());
-  const double height = *highest - *lowest + model.point_spacing_y;
   const double mass = std::accumulate(points.mass.begin(), points.mass.end(), 0.0);
-  return mass * std::hypot(model.gravity.acceleration.x, model.gravity.acceleration.y) * part * height;
+  return mass * std::hypot(model.gravity.acceleration.x, model.gravity.acceleration.y) * part * height_of(points, model);
+}
+
+double fastest_wave(const Model& model) {
+  double fastest = 0;
+  for (const Material& soil : materials(model)) fastest = std::max(fastest, std::sqrt(constrained_modulus(soil) / soil.density));
+  return fastest;
+}
+
+/// Steps in the period of the first vertical vibration of soil that is free above and held below.
+std::uint64_t steps_of_a_vibration(double height, const Model& model, double step) {
+  return static_cast<std::uint64_t>(std::ceil(4 * height / (fastest_wave(model) * step)));
 }
 
 /// Size of a point's domain in cells, halved.
@@ -116,6 +131,8 @@ class Run {
     for (const Material& soil : materials(model_)) soils_.push_back(soil_constants<Real>(soil));
     const double heaviest = *std::max_element(points_.mass.begin(), points_.mass.end());
     settings_ = {model_.grid, model_.boundaries, least_mass_fraction<Real> * heaviest, step_};
+    if (model_.boundaries.has_friction())
+      coulomb_.emplace(model_.boundaries.base_friction, steps_of_a_vibration(height_of(points_, model_), model_, step_), nodes_.storage);
     if (model_.method.anti_locking == AntiLocking::b_bar) dilation_.emplace(points_.count(), nodes_.storage.count());
     if (model_.nonlocal_softening) {
       nonlocal_.emplace(points_, model_.soils, model_.point_spacing_x, model_.point_spacing_y, *model_.nonlocal_softening);
@@ -158,7 +175,8 @@ class Run {
 
   /// After steps without yield; their kinetic energies are left to fill in.
   ElasticStage stage() const {
-    ElasticStage stage{{}, converted<double>(points_), box_, new_velocities_in(nodes_, box_), audit_};
+    ElasticStage stage{{}, converted<double>(points_), box_, new_velocities_in(nodes_, box_), audit_, {}};
+    if (coulomb_) stage.contact = coulomb_->columns();
     for (auto* of_model : {&stage.points.mass, &stage.points.plastic_strain, &stage.points.softening_strain, &stage.points.peak_cohesion})
       of_model->clear();
     stage.points.soil.clear();
@@ -176,6 +194,7 @@ class Run {
   Outcome finish(Ending ending, double time) {
     if (!has_stopped_) complete();
     audit_.kinetic = kinetic_energy(points_) - kinetic_at_start_;
+    if (coulomb_) audit_.friction_excess += coulomb_->excess();
     Outcome outcome;
     outcome.ending = has_stopped_ ? ending_ : ending;
     outcome.steps = steps_;
@@ -200,6 +219,7 @@ class Run {
     audit_ = stage.energy;
     steps_ = stage.steps();
     grid_kinetic_ = stage.kinetic.back();
+    if (coulomb_) coulomb_->go_on(std::move(stage.contact), steps_);
   }
 
   // ---- parts of a step ----
@@ -250,7 +270,8 @@ class Run {
       audit_.damping_work += strips_.stay(sweeps_.gather, data());
       copy_velocities(nodes_, box_);
     }
-    audit_.friction_work += friction_work(nodes_);
+    for (const NodeFriction& friction : nodes_.frictions) audit_.friction_work += friction_work(friction);
+    if (coulomb_) audit_.friction_excess += coulomb_->see(nodes_.frictions);
   }
 
   /// Stress and movement of the step in progress.
@@ -348,6 +369,7 @@ class Run {
   std::optional<DilationStorage<Real>> dilation_;
   Dilation<Real> dilation_view_{};
   std::optional<NonlocalAverage> nonlocal_;
+  std::optional<CoulombWatch> coulomb_;
   std::uint64_t average_interval_ = 1;  // steps
   EnergyAudit audit_;
   double grid_kinetic_ = 0;
@@ -361,7 +383,7 @@ class Run {
 
 double EnergyAudit::error() const {
   const double measure = std::max(std::abs(gravity_work), least_work);
-  return measure > 0 ? missing() / measure : 0;
+  return measure > 0 ? (missing() + std::copysign(friction_excess, missing())) / measure : 0;
 }
 
 const Material& soil_of(const Model& model, const Points& points, std::size_t p) {

@@ -4,8 +4,9 @@
 // method allows (stable_part.hpp; 1 for the default).
 // Energy audit: work of gravity = internal work + friction work + damping + kinetic energy of the points. What does not close is the
 // error; it is the guard that sees an unstable step while all numbers still look plausible. What the base takes or gives by pressing
-// is error too: it does not move, so it should do no work. The error is measured by the work of gravity or, where the soil hardly
-// sinks, by what it started with: its kinetic energy, and the work that gravity would do on it over a thousandth of its height.
+// is error too: it does not move, so it should do no work. So is what friction takes beyond Coulomb's law (coulomb_watch.hpp). The error
+// is measured by the work of gravity or, where the soil hardly sinks, by what it started with: its kinetic energy, and the work that
+// gravity would do on it over a thousandth of its height.
 // Rest: see rest_watch.hpp.
 // Ends: `diverged` names point, step and time; a point outside the grid ends the run as `left_domain`.
 #pragma once
@@ -18,6 +19,7 @@
 #include <vector>
 
 #include "grid/grid_shape.hpp"
+#include "mpm/coulomb_watch.hpp"
 #include "mpm/points.hpp"
 #include "mpm/settings.hpp"
 #include "mpm/sweeps.hpp"
@@ -29,12 +31,13 @@ struct EnergyAudit {
   double gravity_work = 0;  // J/m
   double internal_work = 0;
   double friction_work = 0;
+  double friction_excess = 0;  // what of it is beyond Coulomb's law
   double damping_work = 0;
   double kinetic = 0;     // of the points, less what they began with
   double least_work = 0;  // the error is measured by this at least
 
   double missing() const { return gravity_work - internal_work - friction_work - damping_work - kinetic; }
-  /// What does not close, as a part of gravity's work or of least_work, whichever is more.
+  /// What does not close and, with the same sign, friction's excess, as a part of gravity's work or of least_work, whichever is more.
   double error() const;
 };
 
@@ -46,6 +49,7 @@ struct ElasticStage {
   NodeBox box;                       // the nodes that points reach
   std::vector<double> new_velocity;  // of these nodes, as in Nodes, m/s
   EnergyAudit energy;
+  std::vector<ColumnContact> contact;  // with the base in the window in progress; empty where nothing watches it
 
   std::uint64_t steps() const { return kinetic.size(); }
 };

@@ -88,7 +88,7 @@ std::string explanation(const Model& model, bool has_sample, const Provenance& p
   feature("damping", model.method.damping_rate > 0, "the scene gives its rate", "the scene gives no rate");
   part("base contact", name_of(model.boundaries.base),
        is_two_body ? "normals from mass gradients at the base" : "on the nodes of the base alone, without normals");
-  feature("friction on the base", model.boundaries.base != BaseContact::stick && model.boundaries.base_friction > 0, "Coulomb",
+  feature("friction on the base", model.boundaries.has_friction(), "Coulomb",
           model.boundaries.base == BaseContact::stick ? "nothing slides on a stick base" : "its coefficient is 0");
   return to_tsv(table, provenance);
 }

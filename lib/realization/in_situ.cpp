@@ -72,9 +72,10 @@ struct Work {
   const char* name;
   double EnergyAudit::*value;
 };
-constexpr std::array<Work, 5> works = {{{"gravity_work", &EnergyAudit::gravity_work},
+constexpr std::array<Work, 6> works = {{{"gravity_work", &EnergyAudit::gravity_work},
                                         {"internal_work", &EnergyAudit::internal_work},
                                         {"friction_work", &EnergyAudit::friction_work},
+                                        {"friction_excess", &EnergyAudit::friction_excess},
                                         {"damping_work", &EnergyAudit::damping_work},
                                         {"least_work", &EnergyAudit::least_work}}};
 
@@ -83,6 +84,19 @@ std::vector<std::size_t> shape_of(std::size_t count, std::size_t components) {
 }
 
 }  // namespace
+
+/// The numbers of columns one after the other, and back.
+static std::vector<double> numbers_of(const std::vector<ColumnContact>& columns) {
+  std::vector<double> numbers;
+  for (const ColumnContact& column : columns) numbers.insert(numbers.end(), {column.along, column.upward, column.work});
+  return numbers;
+}
+
+static std::vector<ColumnContact> columns_of(const std::vector<double>& numbers) {
+  std::vector<ColumnContact> columns;
+  for (std::size_t k = 0; k + 2 < numbers.size(); k += 3) columns.push_back({numbers[k], numbers[k + 1], numbers[k + 2]});
+  return columns;
+}
 
 std::string stage_file(const std::optional<ElasticStage>& stage, const Provenance& provenance) {
   Hdf5Writer file;
@@ -98,6 +112,7 @@ std::string stage_file(const std::optional<ElasticStage>& stage, const Provenanc
   const NodeBox& box = stage->box;
   file.dataset("nodes/box", std::vector<std::int64_t>{box.first_column, box.last_column, box.first_row, box.last_row});
   file.dataset("nodes/velocity", stage->new_velocity, {stage->new_velocity.size() / 2, 2});
+  file.dataset("nodes/base_contact", numbers_of(stage->contact), {stage->contact.size(), 3});
   return file.image();
 }
 
@@ -148,6 +163,10 @@ std::optional<ElasticStage> stage_in(std::string_view image, const std::string& 
   check_size("nodes/velocity", stage.new_velocity.size(),
              2 * static_cast<std::size_t>(stage.box.last_column - stage.box.first_column) *
                  static_cast<std::size_t>(stage.box.last_row - stage.box.first_row));
+  const std::vector<double> contact = file.reals("nodes/base_contact");
+  check_size("nodes/base_contact", contact.size(),
+             scene.boundaries.has_friction() ? 3 * static_cast<std::size_t>(NodeStorage(scene.discretization.grid).columns) : 0);
+  stage.contact = columns_of(contact);
   return stage;
 }
 

@@ -40,6 +40,7 @@ FieldSample field_sample(std::string_view image, const std::string& name, const 
   const auto index = static_cast<std::size_t>(found - numbers.begin());
   FieldSample sample;
   sample.scene = file.text_attribute("", "scene");
+  sample.fields_scene = file.text_attribute("", "fields_scene");
   sample.realization = realization;
   sample.values.resize(points.x.size());
   const auto is_there = [&](const ParameterKind& kind) { return file.has(kind.name); };
@@ -150,9 +151,7 @@ static Status status_of(const Outcome& outcome, bool has_reached_end, bool has_s
 }
 
 /// Whether ground that the scene leaves out goes on behind the left wall.
-static bool goes_on_at_left(const Scene& scene) {
-  return scene.boundaries.left == Wall::roller || scene.boundaries.left == Wall::stick;
-}
+static bool goes_on_at_left(const Scene& scene) { return scene.boundaries.left == Wall::roller || scene.boundaries.left == Wall::stick; }
 
 Row row_of(const Scene& scene, const MaterialPoints& points, const std::optional<FieldSample>& sample, const Outcome& outcome) {
   Row row;

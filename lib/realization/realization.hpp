@@ -16,7 +16,8 @@ namespace slidezone {
 
 /// The field values of one sample at the scene's material points, as rfmap wrote them.
 struct FieldSample {
-  std::string scene;  // checksum of the scene whose points these are
+  std::string scene;         // checksum of the scene whose points these are
+  std::string fields_scene;  // and of the one that the fields were drawn from
   std::uint64_t realization = 0;
   std::vector<ParameterValues> values;  // of each point
   std::uint64_t floored = 0;            // values that stand at a limit

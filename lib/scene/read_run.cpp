@@ -21,8 +21,7 @@ static const Words<BaseContact> contacts = {{"bilateral", BaseContact::bilateral
                                             {"unilateral", BaseContact::unilateral},
                                             {"stick", BaseContact::stick},
                                             {"two-body", BaseContact::two_body}};
-static const Words<Wall> walls = {
-    {"roller", Wall::roller}, {"stick", Wall::stick}, {"open", Wall::open}, {"symmetry", Wall::symmetry}};
+static const Words<Wall> walls = {{"roller", Wall::roller}, {"stick", Wall::stick}, {"open", Wall::open}, {"symmetry", Wall::symmetry}};
 static const Words<GravityProtocol> protocols = {
     {"sudden", GravityProtocol::sudden}, {"ramp", GravityProtocol::ramp}, {"k0", GravityProtocol::k0}};
 static const Words<UpdateOrder> update_orders = {{"MUSL", UpdateOrder::musl}, {"USL", UpdateOrder::usl}, {"USF", UpdateOrder::usf}};

@@ -40,6 +40,7 @@ void expect_equal_bits(const Outcome& a, const Outcome& b) {
   EXPECT_EQ(a.points.xx, b.points.xx);
   EXPECT_EQ(a.points.plastic_strain, b.points.plastic_strain);
   EXPECT_EQ(a.energy.missing(), b.energy.missing());
+  EXPECT_EQ(a.energy.friction_excess, b.energy.friction_excess);
   EXPECT_TRUE(a.rest_time == b.rest_time || (std::isnan(a.rest_time) && std::isnan(b.rest_time)));
 }
 
