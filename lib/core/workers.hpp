@@ -18,6 +18,9 @@ class Workers {
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
+  /// Threads in all.
+  std::size_t count() const { return threads_.size() + 1; }
+
   /// Calls task(0) ... task(count - 1), in any order and side by side; returns when all are done. Tasks must not throw.
   void each(std::size_t count, const std::function<void(std::size_t)>& task);
 

@@ -302,8 +302,8 @@ void fold_mass(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& set
 }
 
 template <class Real>
-NodeEnergies update_velocities(NodesOf<Real>& nodes, const NodeBox& box, Vec2 gravity, const NodeSettings& settings,
-                               const ContactNormals& contact) {
+void update_velocities(NodesOf<Real>& nodes, NodeEnergies& energies, const NodeBox& box, Vec2 gravity, const NodeSettings& settings,
+                       const ContactNormals& contact) {
   for_each_image(nodes, box, settings, [&](std::size_t behind, std::size_t before, Mirror mirror) {
     fold_pairs(nodes.velocity, behind, before, mirror);
     fold_pairs(nodes.change, behind, before, mirror);
@@ -314,14 +314,12 @@ NodeEnergies update_velocities(NodesOf<Real>& nodes, const NodeBox& box, Vec2 gr
                      static_cast<Real>(settings.step));
   });
   touch_walls(nodes, box, settings);
-  nodes.frictions.clear();
   if (settings.boundaries.base == BaseContact::two_body) {
     touch_body(nodes, box, NodeStorage::padding, contact.top, settings, gravity);
     touch_body(nodes, box, NodeStorage::padding - 1, contact.below, settings, gravity);
   } else {
     touch_base(nodes, box, settings, gravity);
   }
-  NodeEnergies energies;
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
     const Motion motion = motion_of(nodes.mass.data() + first, nodes.velocity.data() + 2 * first, count);
     energies.gravity_work += settings.step * (gravity.x * motion.momentum.x + gravity.y * motion.momentum.y);
@@ -331,7 +329,6 @@ NodeEnergies update_velocities(NodesOf<Real>& nodes, const NodeBox& box, Vec2 gr
     reflect_pairs(nodes.velocity, behind, before, mirror);
     reflect_pairs(nodes.change, behind, before, mirror);
   });
-  return energies;
 }
 
 template <class Real>
@@ -349,7 +346,10 @@ void update_new_velocities(NodesOf<Real>& nodes, const NodeBox& box, const NodeS
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
     divide_by_mass(nodes.mass.data() + first, nodes.new_velocity.data() + 2 * first, count, static_cast<Real>(settings.least_mass));
   });
-  for (NodeFriction& friction : nodes.frictions) friction.after = along(friction.tangent, pair_at(nodes.new_velocity, friction.node));
+  const std::size_t first = nodes.storage.index(box.first_column, 0);
+  const std::size_t last = nodes.storage.index(box.last_column, 0);
+  for (NodeFriction& friction : nodes.frictions)
+    if (first <= friction.node && friction.node < last) friction.after = along(friction.tangent, pair_at(nodes.new_velocity, friction.node));
   const auto hold = [&](Wall wall) {
     return [&nodes, wall](std::size_t node) { hold_at_wall(velocity_of(nodes.new_velocity, node), wall); };
   };
@@ -385,8 +385,8 @@ template void set_new_velocities(NodesOf<double>&, const NodeBox&, const std::ve
 template void set_new_velocities(NodesOf<float>&, const NodeBox&, const std::vector<double>&);
 template void fold_mass(NodesOf<double>&, const NodeBox&, const NodeSettings&);
 template void fold_mass(NodesOf<float>&, const NodeBox&, const NodeSettings&);
-template NodeEnergies update_velocities(NodesOf<double>&, const NodeBox&, Vec2, const NodeSettings&, const ContactNormals&);
-template NodeEnergies update_velocities(NodesOf<float>&, const NodeBox&, Vec2, const NodeSettings&, const ContactNormals&);
+template void update_velocities(NodesOf<double>&, NodeEnergies&, const NodeBox&, Vec2, const NodeSettings&, const ContactNormals&);
+template void update_velocities(NodesOf<float>&, NodeEnergies&, const NodeBox&, Vec2, const NodeSettings&, const ContactNormals&);
 template void copy_velocities(NodesOf<double>&, const NodeBox&);
 template void copy_velocities(NodesOf<float>&, const NodeBox&);
 template void update_new_velocities(NodesOf<double>&, const NodeBox&, const NodeSettings&);

@@ -88,8 +88,8 @@ void fold_mass(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& set
 /// A two-body base acts on the nodes that `contact` names, along its normals.
 /// After fold_mass.
 template <class Real>
-NodeEnergies update_velocities(NodesOf<Real>& nodes, const NodeBox& box, Vec2 gravity, const NodeSettings& settings,
-                               const ContactNormals& contact);
+void update_velocities(NodesOf<Real>& nodes, NodeEnergies& energies, const NodeBox& box, Vec2 gravity, const NodeSettings& settings,
+                       const ContactNormals& contact);
 
 /// new_velocity = velocity: the velocities that moved the points (USL), or the momenta of the points before forces act (USF).
 template <class Real>

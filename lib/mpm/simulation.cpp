@@ -149,13 +149,16 @@ class Run {
     if (steps_ % sort_interval == 0 || strips_.need_division()) sort_points();
     if (nonlocal_ && steps_ % average_interval_ == 0) nonlocal_->update(points_, points_.softening_strain);
     box_ = grown(box_, nodes_.storage);
+    nodes_.frictions.clear();
+    if (can_go_as_a_wave()) return advance_as_a_wave(time);
     clear_sums(nodes_, box_);
     const SweepReport report = model_.method.update_order == UpdateOrder::usf ? stress_first() : stress_last();
     audit_.internal_work += report.internal_work;
     if (report.is_broken) return stop(Ending::diverged, time);
     box_ = report.box;
     if (reaches_edge() && has_left_grid()) return stop(Ending::left_domain, time);
-    const NodeEnergies energies = update_velocities(nodes_, box_, gravity(time), settings_, contact());
+    NodeEnergies energies;
+    update_velocities(nodes_, energies, box_, gravity(time), settings_, contact());
     audit_.gravity_work += energies.gravity_work;
     grid_kinetic_ = energies.kinetic;
     if (!std::isfinite(grid_kinetic_)) return stop(Ending::diverged, time);
@@ -231,6 +234,38 @@ class Run {
                    [&](std::size_t p) { return first_node(points_.x[p], model_.grid.cell_x, half.x, nodes_.storage.columns); });
   }
 
+  /// MUSL where nothing has to be known of all points between the two sweeps; points that may leave the grid are looked at there.
+  bool can_go_as_a_wave() const {
+    return strips_.are_many() && model_.method.update_order == UpdateOrder::musl && !dilation_ &&
+           model_.boundaries.base != BaseContact::two_body && !reaches_edge();
+  }
+
+  /// The same as the rest of `advance`, with points read once.
+  bool advance_as_a_wave(double time) {
+    NodeEnergies energies;
+    const auto between = [&](const NodeBox& box) {
+      fold_mass(nodes_, box, settings_);
+      update_velocities(nodes_, energies, box, gravity(time), settings_, {});
+      clear_new_sums(nodes_, box);
+    };
+    const TwoSweeps<Real> sweeps = {.sweep_a = sweeps_.update_and_map,
+                                    .sweep_b = sweeps_.gather_and_map,
+                                    .prepare = [&](const NodeBox& box) { clear_sums(nodes_, box); },
+                                    .between = between,
+                                    .finish = [&](const NodeBox& box) { update_new_velocities(nodes_, box, settings_); }};
+    const TwoReports reports = strips_.pass(sweeps, data());
+    audit_.internal_work += reports.a.internal_work;
+    if (reports.a.is_broken) return stop(Ending::diverged, time);
+    box_ = reports.a.box;
+    audit_.gravity_work += energies.gravity_work;
+    grid_kinetic_ = energies.kinetic;
+    if (!std::isfinite(grid_kinetic_)) return stop(Ending::diverged, time);
+    audit_.damping_work += reports.b;
+    count_friction();
+    ++steps_;
+    return true;
+  }
+
   /// MUSL and USL: stress by the last node velocities, move, then everything to the nodes.
   SweepReport stress_last() {
     SweepReport report;
@@ -270,6 +305,10 @@ class Run {
       audit_.damping_work += strips_.stay(sweeps_.gather, data());
       copy_velocities(nodes_, box_);
     }
+    count_friction();
+  }
+
+  void count_friction() {
     for (const NodeFriction& friction : nodes_.frictions) audit_.friction_work += friction_work(friction);
     if (coulomb_) audit_.friction_excess += coulomb_->see(nodes_.frictions);
   }

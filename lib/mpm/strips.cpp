@@ -1,6 +1,9 @@
 #include "mpm/strips.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
+#include <numeric>
 
 namespace slidezone {
 
@@ -12,6 +15,9 @@ NodeBox grown(const NodeBox& box, const NodeStorage& storage) {
 Strips::Strips(int threads) : workers_(std::make_shared<Workers>(threads)) {}
 
 bool Strips::need_division() const {
+  constexpr int mirrored = NodeStorage::padding + 2;  // columns on both sides of the left wall
+  for (std::size_t k = 1; k < strips_.size(); ++k)
+    if (strips_[k].box.first_column - 1 < mirrored) return true;
   for (std::size_t k = 0; k < strips_.size(); ++k)
     for (std::size_t other = k + 1; other < std::min(k + 3, strips_.size()); ++other)
       if (strips_[other].is_odd == strips_[k].is_odd && strips_[k].box.last_column + 1 > strips_[other].box.first_column - 1) return true;
@@ -38,13 +44,19 @@ static SweepData<Real> part_of(SweepData<Real> data, std::size_t first, std::siz
 
 /// Calls act(k) for all even strips, then for all odd ones.
 template <class Act>
-void Strips::for_each(Act act) {
+void Strips::for_each(Numbers strips, Act act) {
   for (const bool is_odd : {false, true}) {
     std::vector<std::size_t> chosen;
-    for (std::size_t k = 0; k < strips_.size(); ++k)
-      if (strips_[k].is_odd == is_odd) chosen.push_back(k);
+    std::copy_if(strips.begin(), strips.end(), std::back_inserter(chosen), [&](std::size_t k) { return strips_[k].is_odd == is_odd; });
     workers_->each(chosen.size(), [&](std::size_t number) { act(chosen[number]); });
   }
+}
+
+template <class Act>
+void Strips::for_each(Act act) {
+  std::vector<std::size_t> all(strips_.size());
+  std::iota(all.begin(), all.end(), 0);
+  for_each(all, act);
 }
 
 static NodeBox joined(const NodeBox& a, const NodeBox& b) {
@@ -62,6 +74,12 @@ static SweepReport joined(const std::vector<SweepReport>& reports) {
   return all;
 }
 
+template <class Report, class Real>
+Report Strips::sweep_strip(Report (*sweep)(const SweepData<Real>&), const SweepData<Real>& data, std::size_t k) const {
+  Dilation<Real> dilation;
+  return sweep(part_of(data, strips_[k].first, strips_[k].count, strips_[k].box, dilation));
+}
+
 template <class Real>
 SweepReport Strips::move(SweepReport (*sweep)(const SweepData<Real>&), const SweepData<Real>& data) {
   for (Strip& strip : strips_) strip.box = grown(strip.box, data.storage);
@@ -72,10 +90,7 @@ template <class Real>
 SweepReport Strips::stay(SweepReport (*sweep)(const SweepData<Real>&), const SweepData<Real>& data) {
   if (strips_.empty()) return sweep(data);
   std::vector<SweepReport> reports(strips_.size());
-  for_each([&](std::size_t k) {
-    Dilation<Real> dilation;
-    reports[k] = sweep(part_of(data, strips_[k].first, strips_[k].count, strips_[k].box, dilation));
-  });
+  for_each([&](std::size_t k) { reports[k] = sweep_strip(sweep, data, k); });
   for (std::size_t k = 0; k < strips_.size(); ++k) strips_[k].box = reports[k].box;
   return joined(reports);
 }
@@ -84,10 +99,7 @@ template <class Real>
 double Strips::stay(double (*sweep)(const SweepData<Real>&), const SweepData<Real>& data) {
   if (strips_.empty()) return sweep(data);
   std::vector<double> parts(strips_.size());
-  for_each([&](std::size_t k) {
-    Dilation<Real> dilation;
-    parts[k] = sweep(part_of(data, strips_[k].first, strips_[k].count, strips_[k].box, dilation));
-  });
+  for_each([&](std::size_t k) { parts[k] = sweep_strip(sweep, data, k); });
   double sum = 0;
   for (const double part : parts) sum += part;
   return sum;
@@ -96,10 +108,87 @@ double Strips::stay(double (*sweep)(const SweepData<Real>&), const SweepData<Rea
 template <class Real>
 void Strips::stay(void (*sweep)(const SweepData<Real>&), const SweepData<Real>& data) {
   if (strips_.empty()) return sweep(data);
-  for_each([&](std::size_t k) {
-    Dilation<Real> dilation;
-    sweep(part_of(data, strips_[k].first, strips_[k].count, strips_[k].box, dilation));
-  });
+  for_each([&](std::size_t k) { sweep_strip(sweep, data, k); });
+}
+
+// ---- both sweeps as a wave ------------------------------------------------------------------------------------------------------
+
+std::vector<std::size_t> Strips::order_of_wave() const {
+  std::vector<std::size_t> order(strips_.size());
+  std::iota(order.begin(), order.end(), 0);
+  for (std::size_t k = 0; k + 1 < order.size(); ++k)
+    if (strips_[k].is_odd && !strips_[k + 1].is_odd) std::swap(order[k], order[k + 1]);
+  return order;
+}
+
+int Strips::first_column(Numbers strips) const {
+  int first = std::numeric_limits<int>::max();
+  for (const std::size_t k : strips) first = std::min(first, strips_[k].box.first_column);
+  return first;
+}
+
+int Strips::last_column(Numbers strips) const {
+  int last = 0;
+  for (const std::size_t k : strips) last = std::max(last, strips_[k].box.last_column);
+  return last;
+}
+
+NodeBox Strips::columns_of(const NodeBox& box, Numbers strips) const {
+  return {first_column(strips), last_column(strips), box.first_row, box.last_row};
+}
+
+namespace {
+
+/// Work on the nodes of a box that goes on from left to right.
+class NodeWork {
+ public:
+  NodeWork(const NodeBox& box, const std::function<void(const NodeBox&)>& work) : rest_(box), work_(work) {}
+
+  /// Does the columns up to `column`, excluded, that are not done yet.
+  void go_on_to(int column) {
+    if (column <= rest_.first_column) return;
+    work_({rest_.first_column, column, rest_.first_row, rest_.last_row});
+    rest_.first_column = column;
+  }
+  int next_column() const { return rest_.first_column; }
+
+ private:
+  NodeBox rest_;
+  const std::function<void(const NodeBox&)>& work_;
+};
+
+}  // namespace
+
+template <class Real>
+TwoReports Strips::pass(const TwoSweeps<Real>& sweeps, const SweepData<Real>& data) {
+  for (Strip& strip : strips_) strip.box = grown(strip.box, data.storage);
+  const std::vector<std::size_t> order = order_of_wave();
+  const NodeBox box = columns_of(data.box, order);
+  NodeWork prepare(box, sweeps.prepare), between(box, sweeps.between), finish(box, sweeps.finish);
+  const auto complete = [&](Numbers to_come) { return to_come.empty() ? box.last_column : first_column(to_come); };
+  const auto next_of = [&](Numbers strips) { return strips.first(std::min(strips_a_thread * workers_->count(), strips.size())); };
+  std::vector<SweepReport> reports(strips_.size());
+  std::vector<double> parts(strips_.size());
+  bool is_broken = false;
+  for (Numbers to_sweep = order, to_follow = order; !to_sweep.empty();) {
+    const Numbers ahead = next_of(to_sweep);
+    prepare.go_on_to(last_column(ahead));
+    for_each(ahead, [&](std::size_t k) { reports[k] = sweep_strip(sweeps.sweep_a, data, k); });
+    for (const std::size_t k : ahead) {
+      strips_[k].box = reports[k].box;
+      is_broken |= reports[k].is_broken;
+    }
+    to_sweep = to_sweep.subspan(ahead.size());
+    if (is_broken) continue;
+    between.go_on_to(complete(to_sweep));
+    while (!to_follow.empty() && last_column(next_of(to_follow)) <= between.next_column()) {
+      const Numbers behind = next_of(to_follow);
+      for_each(behind, [&](std::size_t k) { parts[k] = sweep_strip(sweeps.sweep_b, data, k); });
+      to_follow = to_follow.subspan(behind.size());
+      finish.go_on_to(complete(to_follow));
+    }
+  }
+  return {joined(reports), std::accumulate(parts.begin(), parts.end(), 0.0)};
 }
 
 template SweepReport Strips::move(SweepReport (*)(const SweepData<double>&), const SweepData<double>&);
@@ -110,5 +199,7 @@ template double Strips::stay(double (*)(const SweepData<double>&), const SweepDa
 template double Strips::stay(double (*)(const SweepData<float>&), const SweepData<float>&);
 template void Strips::stay(void (*)(const SweepData<double>&), const SweepData<double>&);
 template void Strips::stay(void (*)(const SweepData<float>&), const SweepData<float>&);
+template TwoReports Strips::pass(const TwoSweeps<double>&, const SweepData<double>&);
+template TwoReports Strips::pass(const TwoSweeps<float>&, const SweepData<float>&);
 
 }  // namespace slidezone

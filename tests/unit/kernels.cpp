@@ -113,12 +113,13 @@ TEST(Simulate, GivesEqualBitsForAnyNumberOfThreads) {
 }
 
 TEST(Simulate, StripsChangeNothingButTheOrderOfSums) {
-  // Half of the large block in height is below the limit: the same block twice, far apart, is above it and is divided.
-  Model single = block(2, 0, 100, 126, clay);
+  // Half of the large block is below the limit: with its mirror image at the other wall it is above it and is divided.
+  Model single = block(0, 0, 100, 126, clay);
   single.grid = {0.2, 0.2, 400, 140};
+  single.boundaries = {.base_friction = 0.3, .right = Wall::roller};
   single.time.end = 0.1;
-  Model twin = block(2, 0, 100, 126, clay);
-  const Model second = block(42, 0, 100, 126, clay);
+  Model twin = block(0, 0, 100, 126, clay);
+  const Model second = block(60, 0, 100, 126, clay);
   for (std::size_t p = 0; p < second.points.count(); ++p) {
     twin.points.x.push_back(second.points.x[p]);
     twin.points.y.push_back(second.points.y[p]);
@@ -131,19 +132,29 @@ TEST(Simulate, StripsChangeNothingButTheOrderOfSums) {
   std::fill(all.peak_cohesion.begin(), all.peak_cohesion.end(), clay.peak_cohesion);
   twin.points = all;
   twin.grid = single.grid;
+  twin.boundaries = single.boundaries;
   twin.time = single.time;
   ASSERT_LT(single.points.count(), Strips::least_points);
   ASSERT_GE(twin.points.count(), Strips::least_points);
-  const Points expected = simulate(single).points;
-  const Points found = simulate(twin).points;
+  const Outcome outcome = simulate(single);
+  const Outcome divided = simulate(twin);
+  const Points& expected = outcome.points;
+  const Points& found = divided.points;
+  constexpr std::size_t rows = 252;  // points in a column of them
   double worst = 0;
   double movement = 0;
   for (std::size_t p = 0; p < expected.count(); ++p) {
+    const std::size_t image = found.count() - (p / rows + 1) * rows + p % rows;
     worst = std::max({worst, std::abs(found.x[p] - expected.x[p]), std::abs(found.y[p] - expected.y[p])});
+    worst = std::max({worst, std::abs(twin.grid.width() - found.x[image] - expected.x[p]), std::abs(found.y[image] - expected.y[p])});
     movement = std::max(movement, std::abs(expected.y[p] - single.points.y[p]));
   }
   EXPECT_GT(movement, 1e-3);
   EXPECT_LT(worst, 1e-11);
+  EXPECT_GT(outcome.energy.friction_work, 1);
+  EXPECT_NEAR(divided.energy.friction_work / outcome.energy.friction_work, 2, 1e-9);
+  EXPECT_NEAR(divided.energy.gravity_work / outcome.energy.gravity_work, 2, 1e-9);
+  EXPECT_NEAR(divided.energy.internal_work / outcome.energy.internal_work, 2, 1e-9);
 }
 
 }  // namespace
