@@ -380,6 +380,13 @@ slow() { edited "s/^mean = .*/mean = \"3 kPa\"/; s/^protocol = .*/protocol = \"r
   cmp alone.tsv crowd.tsv
 }
 
+@test "a run of a million points takes less than 300 bytes for each" {
+  sed 's/^cell = .*/cell = "0.02 m"/; s/^width = .*/width = "50 m"/; s/^step = .*/step = "7.5e-5 s"/; s/^end = .*/end = "1.5e-4 s"/' \
+    "$TOP/pipelines/benchmark/scene.toml" >large.toml
+  run bash -c "ulimit -d 329000; mpmrun large.toml" # 1,124,750 points
+  assert_success
+}
+
 @test "files that cannot be created are told before the run" {
   edited 's/^end = .*/end = "10000 h"/' # nobody waits for that
   for option in -o --state --table --profile; do

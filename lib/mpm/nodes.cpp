@@ -19,7 +19,7 @@ static void for_each_column(const NodesOf<Real>& nodes, const NodeBox& box, Act 
 }
 
 template <class Real>
-static void clear(std::vector<Real>& values, std::size_t first, std::size_t count) {
+static void clear(NodeNumbers<Real>& values, std::size_t first, std::size_t count) {
   std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(first), count, Real{0});
 }
 
@@ -89,14 +89,14 @@ static void for_each_image(const NodesOf<Real>& nodes, const NodeBox& box, const
 }
 
 template <class Real>
-static void fold_pairs(std::vector<Real>& pairs, std::size_t behind, std::size_t before, Mirror mirror) {
+static void fold_pairs(NodeNumbers<Real>& pairs, std::size_t behind, std::size_t before, Mirror mirror) {
   pairs[2 * before] += mirror.x * pairs[2 * behind];
   pairs[2 * before + 1] += mirror.y * pairs[2 * behind + 1];
   pairs[2 * behind] = pairs[2 * behind + 1] = 0;
 }
 
 template <class Real>
-static void reflect_pairs(std::vector<Real>& pairs, std::size_t behind, std::size_t before, Mirror mirror) {
+static void reflect_pairs(NodeNumbers<Real>& pairs, std::size_t behind, std::size_t before, Mirror mirror) {
   pairs[2 * behind] = mirror.x * pairs[2 * before];
   pairs[2 * behind + 1] = mirror.y * pairs[2 * before + 1];
 }
@@ -131,12 +131,12 @@ struct NodeVelocity {
 };
 
 template <class Real>
-static NodeVelocity<Real> velocity_of(std::vector<Real>& pairs, std::size_t node) {
+static NodeVelocity<Real> velocity_of(NodeNumbers<Real>& pairs, std::size_t node) {
   return {pairs[2 * node], pairs[2 * node + 1]};
 }
 
 template <class Real>
-static Vec2 pair_at(const std::vector<Real>& pairs, std::size_t node) {
+static Vec2 pair_at(const NodeNumbers<Real>& pairs, std::size_t node) {
   return {pairs[2 * node], pairs[2 * node + 1]};
 }
 
@@ -349,7 +349,8 @@ void update_new_velocities(NodesOf<Real>& nodes, const NodeBox& box, const NodeS
   const std::size_t first = nodes.storage.index(box.first_column, 0);
   const std::size_t last = nodes.storage.index(box.last_column, 0);
   for (NodeFriction& friction : nodes.frictions)
-    if (first <= friction.node && friction.node < last) friction.after = along(friction.tangent, pair_at(nodes.new_velocity, friction.node));
+    if (first <= friction.node && friction.node < last)
+      friction.after = along(friction.tangent, pair_at(nodes.new_velocity, friction.node));
   const auto hold = [&](Wall wall) {
     return [&nodes, wall](std::size_t node) { hold_at_wall(velocity_of(nodes.new_velocity, node), wall); };
   };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/vec2.hpp"
+#include "core/zeroed_allocator.hpp"
 #include "grid/node_storage.hpp"
 #include "mpm/settings.hpp"
 
@@ -25,15 +26,19 @@ struct NodeFriction {
   bool is_held;   // friction keeps the node where it is
 };
 
+/// Numbers of all nodes of the grid; those that no point has reached take no memory.
+template <class Real>
+using NodeNumbers = std::vector<Real, ZeroedAllocator<Real>>;
+
 template <class Real>
 struct NodesOf {
   explicit NodesOf(NodeStorage where);
 
   NodeStorage storage;
-  std::vector<Real> mass;          // kg/m
-  std::vector<Real> velocity;      // m/s; summed as momentum
-  std::vector<Real> change;        // m/s, change of velocity over the step; summed as internal force
-  std::vector<Real> new_velocity;  // m/s, of the moved points; summed as their momentum
+  NodeNumbers<Real> mass;          // kg/m
+  NodeNumbers<Real> velocity;      // m/s; summed as momentum
+  NodeNumbers<Real> change;        // m/s, change of velocity over the step; summed as internal force
+  NodeNumbers<Real> new_velocity;  // m/s, of the moved points; summed as their momentum
   std::vector<NodeFriction> frictions;
 };
 

@@ -79,27 +79,20 @@ static void start_from_k0(Model& model) {
   }
 }
 
-static std::vector<Material> soils_of_points(const Scene& scene, const MaterialPoints& points, const std::optional<FieldSample>& sample) {
-  std::vector<Material> soils;
-  for (std::size_t p = 0; p < points.x.size(); ++p) {
-    const Layer& layer = scene.layers[static_cast<std::size_t>(points.layer[p])];
-    ParameterValues values = sample ? sample->values[p] : ParameterValues{};
-    hold_within_limits(values, layer);
-    soils.push_back(sample ? varied_soil(layer, values) : layer.material);
-  }
-  return soils;
+static Material soil_at_point(const Scene& scene, const MaterialPoints& points, const std::optional<FieldSample>& sample, std::size_t p) {
+  const Layer& layer = scene.layers[static_cast<std::size_t>(points.layer[p])];
+  if (!sample) return layer.material;
+  ParameterValues values = sample->values[p];
+  hold_within_limits(values, layer);
+  return varied_soil(layer, values);
 }
 
-/// Whether points need soils of their own: peak cohesion alone is an array of the points. Where no soil softens, a residual
-/// strength has no part in the run.
-static bool differs_beyond_peak_cohesion(const std::vector<Material>& soils, const Scene& scene, const MaterialPoints& points) {
-  for (std::size_t p = 0; p < soils.size(); ++p) {
-    Material expected = scene.layers[static_cast<std::size_t>(points.layer[p])].material;
-    expected.peak_cohesion = soils[p].peak_cohesion;
-    if (expected.softening_shape == 0) expected.residual_cohesion = soils[p].residual_cohesion;
-    if (soils[p] != expected) return true;
-  }
-  return false;
+/// Whether a point needs a soil of its own: peak cohesion alone is an array of the points. Where no soil softens, a residual strength has
+/// no part in the run.
+static bool differs_beyond_peak_cohesion(const Material& soil, Material expected) {
+  expected.peak_cohesion = soil.peak_cohesion;
+  if (expected.softening_shape == 0) expected.residual_cohesion = soil.residual_cohesion;
+  return soil != expected;
 }
 
 /// The limit of the step depends on each point's soil, and so is known only now.
@@ -127,16 +120,18 @@ Model model_of(const Scene& scene, const MaterialPoints& points, const std::opti
   model.points.y = points.y;
   model.points.soil = points.layer;
   const double volume = points.spacing_x * points.spacing_y;
-  std::vector<Material> soils = soils_of_points(scene, points, sample);
+  bool has_layers_alone = true;
   for (std::size_t p = 0; p < points.x.size(); ++p) {
-    const Material& soil = soils[p];
+    const Material soil = soil_at_point(scene, points, sample, p);
+    has_layers_alone &= !differs_beyond_peak_cohesion(soil, model.soils[static_cast<std::size_t>(points.layer[p])]);
     model.points.volume[p] = volume;
     model.points.mass[p] = soil.density * volume;
     model.points.velocity[2 * p] = scene.initial_velocity.x;
     model.points.velocity[2 * p + 1] = scene.initial_velocity.y;
     model.points.peak_cohesion[p] = soil.peak_cohesion;
   }
-  if (differs_beyond_peak_cohesion(soils, scene, points)) model.point_soils = std::move(soils);
+  if (!has_layers_alone)
+    for (std::size_t p = 0; p < points.x.size(); ++p) model.point_soils.push_back(soil_at_point(scene, points, sample, p));
   if (scene.gravity.protocol == GravityProtocol::k0) start_from_k0(model);
   check_step(model, scene);
   return model;

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "core/round_step.hpp"
 #include "core/text.hpp"
 #include "core/workers.hpp"
+#include "core/zeroed_allocator.hpp"
 
 namespace slidezone {
 namespace {
@@ -72,6 +75,25 @@ TEST(Workers, DoEachTaskOnce) {
       for (const auto& done : times) EXPECT_EQ(done, 1);
     }
   }
+}
+
+/// Pages of memory that this process has in use.
+long resident_pages() {
+  std::ifstream statm("/proc/self/statm");
+  long size = 0, resident = 0;
+  statm >> size >> resident;
+  return resident;
+}
+
+TEST(ZeroedAllocator, TakesNoMemoryForZerosThatAreNotWritten) {
+  constexpr std::size_t count = 10'000'000;  // 80 MB, some 20,000 pages
+  const long before = resident_pages();
+  std::vector<double, ZeroedAllocator<double>> values(count);
+  values[count / 2] = 1;
+  EXPECT_LT(resident_pages() - before, 100);
+  EXPECT_EQ(std::count(values.begin(), values.end(), 0.0), static_cast<long>(count) - 1);
+  const auto copy = values;
+  EXPECT_EQ(copy[count / 2], 1);
 }
 
 }  // namespace
