@@ -55,6 +55,12 @@ static Provenance run_provenance(const std::string& schema, const Scene& scene, 
   return result;
 }
 
+static void write_state_file(const std::string& path, const MaterialPoints& initial, const Points& now, const Provenance& provenance) {
+  OutputFile file(path);
+  write_state(initial, now, provenance, [&file](std::string_view bytes) { file.write(bytes); });
+  file.finish();
+}
+
 /// Writes the state every so often into a folder, with an index that ParaView plays.
 class FrameWriter {
  public:
@@ -69,7 +75,7 @@ class FrameWriter {
     if (moment.time + 1e-9 < every_ * static_cast<double>(frames_.size() + 1)) return;
     const std::string number = std::to_string(frames_.size() + 1);
     const std::string file = "frame-" + std::string(6 - std::min<std::size_t>(6, number.size()), '0') + number + ".hdf";
-    write_output(folder_ / file, state_file(initial_, moment.points(), provenance_));
+    write_state_file(folder_ / file, initial_, moment.points(), provenance_);
     frames_.push_back({file, moment.time});
     write_output(folder_ / "frames.hdf.series", vtkhdf_series(frames_));
   }
@@ -176,7 +182,7 @@ static void run(const Options& options) {
 
   const Row row = row_of(scene, points, sample, outcome);
   report_trouble(row, outcome, scene.boundaries.base);
-  if (!options.state.empty()) write_output(options.state, state_file(points, outcome.points, state_provenance));
+  if (!options.state.empty()) write_state_file(options.state, points, outcome.points, state_provenance);
   if (!options.table.empty()) write_output(options.table, points_table(points, outcome.points, detailed("slidezone-table 1")));
   if (!options.profile.empty())
     write_output(options.profile, profile_table(scene, points, outcome.points, detailed("slidezone-profile 1")));

@@ -12,19 +12,20 @@ namespace slidezone {
 
 constexpr std::uint8_t vtk_vertex = 1;  // cell type of VTK
 
-std::string vtkhdf_points(std::span<const double> x, std::span<const double> y, const std::vector<PointData>& data,
-                          const Provenance& provenance) {
-  assert(x.size() == y.size());
-  const std::size_t count = x.size();
-  std::vector<double> points(3 * count, 0.0);
-  for (std::size_t p = 0; p < count; ++p) {
+static std::vector<double> three_components(std::span<const double> x, std::span<const double> y) {
+  std::vector<double> points(3 * x.size(), 0.0);
+  for (std::size_t p = 0; p < x.size(); ++p) {
     points[3 * p] = x[p];
     points[3 * p + 1] = y[p];
   }
-  std::vector<std::int64_t> connectivity(count);
-  std::iota(connectivity.begin(), connectivity.end(), std::int64_t{0});
-  std::vector<std::int64_t> offsets(count + 1);
-  std::iota(offsets.begin(), offsets.end(), std::int64_t{0});
+  return points;
+}
+
+void write_vtkhdf_points(std::span<const double> x, std::span<const double> y, const std::vector<PointData>& data,
+                         const Provenance& provenance, const std::function<void(std::string_view)>& take) {
+  assert(x.size() == y.size());
+  const std::size_t count = x.size();
+  const auto count_up = [](std::size_t, std::span<std::int64_t> numbers) { std::iota(numbers.begin(), numbers.end(), std::int64_t{0}); };
   const std::array<std::int64_t, 1> one_piece = {static_cast<std::int64_t>(count)};
   const std::array<std::int64_t, 2> format_version = {1, 0};
 
@@ -36,13 +37,16 @@ std::string vtkhdf_points(std::span<const double> x, std::span<const double> y, 
   writer.dataset("VTKHDF/NumberOfPoints", one_piece);
   writer.dataset("VTKHDF/NumberOfCells", one_piece);
   writer.dataset("VTKHDF/NumberOfConnectivityIds", one_piece);
-  writer.dataset("VTKHDF/Points", points, {count, 3});
-  writer.dataset("VTKHDF/Connectivity", connectivity);
-  writer.dataset("VTKHDF/Offsets", offsets);
+  writer.dataset("VTKHDF/Points", three_components(x, y), {count, 3});
+  writer.dataset_later("VTKHDF/Connectivity", count, count_up);
+  writer.dataset_later("VTKHDF/Offsets", count + 1, count_up);
   writer.dataset("VTKHDF/Types", std::vector<std::uint8_t>(count, vtk_vertex));
   writer.group("VTKHDF/PointData");
-  for (const PointData& item : data) writer.dataset("VTKHDF/PointData/" + item.name, item.values, {item.values.size()});
-  return writer.image();
+  for (const PointData& item : data)
+    writer.dataset_later("VTKHDF/PointData/" + item.name, {count}, [&item](std::size_t, std::span<double> values) {
+      for (std::size_t p = 0; p < values.size(); ++p) values[p] = item.value(p);
+    });
+  writer.write(take);
 }
 
 std::string vtkhdf_series(const std::vector<Frame>& frames) {

@@ -4,8 +4,11 @@
 // attribute of fixed-length ASCII; without any of these it reads zero points without a word.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/provenance.hpp"
@@ -15,12 +18,12 @@ namespace slidezone {
 /// One value a point under its name, e.g. "plastic_strain".
 struct PointData {
   std::string name;
-  std::span<const double> values;
+  std::function<double(std::size_t)> value;  // of a point by its number
 };
 
-/// The bytes of the file; x and y in m, z is 0.
-std::string vtkhdf_points(std::span<const double> x, std::span<const double> y, const std::vector<PointData>& data,
-                          const Provenance& provenance);
+/// Hands the bytes of the file to `take`, piece by piece from front to back: most of it is never held in memory. x and y in m, z is 0.
+void write_vtkhdf_points(std::span<const double> x, std::span<const double> y, const std::vector<PointData>& data,
+                         const Provenance& provenance, const std::function<void(std::string_view)>& take);
 
 /// The bytes of a `.hdf.series` index, which ParaView opens as an animation.
 struct Frame {

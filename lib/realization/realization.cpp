@@ -177,45 +177,34 @@ Row row_of(const Scene& scene, const MaterialPoints& points, const std::optional
 
 // ---- files on request ---------------------------------------------------------------------------------------------------------
 
-static std::vector<double> displacements(const MaterialPoints& initial, const Points& now) {
-  std::vector<double> distance(now.count());
-  for (std::size_t p = 0; p < now.count(); ++p) distance[p] = std::hypot(now.x[p] - initial.x[p], now.y[p] - initial.y[p]);
-  return distance;
+static double displacement(const MaterialPoints& initial, const Points& now, std::size_t p) {
+  return std::hypot(now.x[p] - initial.x[p], now.y[p] - initial.y[p]);
 }
 
-static std::vector<double> component(const std::vector<double>& pairs, std::size_t which) {
-  std::vector<double> values;
-  for (std::size_t k = which; k < pairs.size(); k += 2) values.push_back(pairs[k]);
-  return values;
-}
-
-std::string state_file(const MaterialPoints& initial, const Points& now, const Provenance& provenance) {
-  const std::vector<double> displacement = displacements(initial, now);
-  const std::vector<double> velocity_x = component(now.velocity, 0);
-  const std::vector<double> velocity_y = component(now.velocity, 1);
-  const std::vector<double> layer(now.soil.begin(), now.soil.end());
-  return vtkhdf_points(now.x, now.y,
-                       {{"displacement", displacement},
-                        {"initial_x", initial.x},
-                        {"initial_y", initial.y},
-                        {"layer", layer},
-                        {"peak_cohesion", now.peak_cohesion},
-                        {"plastic_strain", now.plastic_strain},
-                        {"stress_xx", now.xx},
-                        {"stress_xy", now.xy},
-                        {"stress_yy", now.yy},
-                        {"stress_zz", now.zz},
-                        {"velocity_x", velocity_x},
-                        {"velocity_y", velocity_y}},
-                       provenance);
+void write_state(const MaterialPoints& initial, const Points& now, const Provenance& provenance,
+                 const std::function<void(std::string_view)>& take) {
+  const auto each = [](const std::vector<double>& values) { return [&values](std::size_t p) { return values[p]; }; };
+  write_vtkhdf_points(now.x, now.y,
+                      {{"displacement", [&](std::size_t p) { return displacement(initial, now, p); }},
+                       {"initial_x", each(initial.x)},
+                       {"initial_y", each(initial.y)},
+                       {"layer", [&](std::size_t p) { return static_cast<double>(now.soil[p]); }},
+                       {"peak_cohesion", each(now.peak_cohesion)},
+                       {"plastic_strain", each(now.plastic_strain)},
+                       {"stress_xx", each(now.xx)},
+                       {"stress_xy", each(now.xy)},
+                       {"stress_yy", each(now.yy)},
+                       {"stress_zz", each(now.zz)},
+                       {"velocity_x", [&](std::size_t p) { return now.velocity[2 * p]; }},
+                       {"velocity_y", [&](std::size_t p) { return now.velocity[2 * p + 1]; }}},
+                      provenance, take);
 }
 
 std::string points_table(const MaterialPoints& initial, const Points& now, const Provenance& provenance) {
-  const std::vector<double> displacement = displacements(initial, now);
   Table table({"x_m", "y_m", "x0_m", "y0_m", "plastic_strain", "displacement_m", "peak_cohesion_pa", "layer"});
   for (std::size_t p = 0; p < now.count(); ++p)
     table.add_row({format_real(now.x[p]), format_real(now.y[p]), format_real(initial.x[p]), format_real(initial.y[p]),
-                   format_real(now.plastic_strain[p]), format_real(displacement[p]), format_real(now.peak_cohesion[p]),
+                   format_real(now.plastic_strain[p]), format_real(displacement(initial, now, p)), format_real(now.peak_cohesion[p]),
                    std::to_string(now.soil[p])});
   return to_tsv(table, provenance);
 }

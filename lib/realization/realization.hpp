@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/design.hpp"
@@ -41,8 +43,10 @@ inline constexpr double energy_error_failure = 0.05;
 /// The row of a finished run. Distances are nan for a diverged one.
 Row row_of(const Scene& scene, const MaterialPoints& points, const std::optional<FieldSample>& sample, const Outcome& outcome);
 
-/// The final state for ParaView and VTK, as a table of points, and the surface as a table; see data-schemas/.
-std::string state_file(const MaterialPoints& initial, const Points& now, const Provenance& provenance);
+/// The final state for ParaView and VTK, handed to `take` piece by piece; as a table of points; and the surface as a table. See
+/// data-schemas/.
+void write_state(const MaterialPoints& initial, const Points& now, const Provenance& provenance,
+                 const std::function<void(std::string_view)>& take);
 std::string points_table(const MaterialPoints& initial, const Points& now, const Provenance& provenance);
 std::string profile_table(const Scene& scene, const MaterialPoints& initial, const Points& now, const Provenance& provenance);
 
