@@ -26,14 +26,22 @@ double CoulombWatch::see(const std::vector<NodeFriction>& frictions) {
   return beyond;
 }
 
+double CoulombWatch::excess_of(const ColumnContact& contact) const {
+  if (contact.along == 0) return 0;
+  const double lawful = friction_ * std::max(0.0, contact.upward) / contact.along;
+  return contact.work * std::max(0.0, 1 - lawful);
+}
+
 double CoulombWatch::excess() const {
-  double sum = 0;
+  double one_by_one = 0;
+  ColumnContact all;
   for (const ColumnContact& column : columns_) {
-    if (column.along == 0) continue;
-    const double lawful = friction_ * std::max(0.0, column.upward) / column.along;
-    sum += column.work * std::max(0.0, 1 - lawful);
+    one_by_one += excess_of(column);
+    all.along += column.along;
+    all.upward += column.upward;
+    all.work += column.work;
   }
-  return sum;
+  return std::max(one_by_one, excess_of(all));
 }
 
 void CoulombWatch::go_on(std::vector<ColumnContact> columns, std::uint64_t steps_of_run) {

@@ -49,15 +49,11 @@ double work_of_a_small_fall(const PointsOf<Real>& points, const Model& model) {
   return mass * std::hypot(model.gravity.acceleration.x, model.gravity.acceleration.y) * part * height_of(points, model);
 }
 
-double fastest_wave(const Model& model) {
-  double fastest = 0;
-  for (const Material& soil : materials(model)) fastest = std::max(fastest, std::sqrt(constrained_modulus(soil) / soil.density));
-  return fastest;
-}
-
-/// Steps in the period of the first vertical vibration of soil that is free above and held below.
+/// Steps in the period of the first vertical vibration of soil that is free above and held below, where its waves are slowest.
 std::uint64_t steps_of_a_vibration(double height, const Model& model, double step) {
-  return static_cast<std::uint64_t>(std::ceil(4 * height / (fastest_wave(model) * step)));
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const Material& soil : materials(model)) slowest = std::min(slowest, std::sqrt(constrained_modulus(soil) / soil.density));
+  return static_cast<std::uint64_t>(std::ceil(4 * height / (slowest * step)));
 }
 
 /// Size of a point's domain in cells, halved.

@@ -40,9 +40,16 @@ TEST(CoulombWatch, CountsWhatTheBasePulls) {
   EXPECT_EQ(watch.excess(), 0);  // a new window
 }
 
-TEST(CoulombWatch, CountsColumnsByThemselvesAndThePullOfWholeWindows) {
+// Column 4 is pulled, and all of its friction is too much; column 3 carries more than it rubs, and does not make up for it.
+TEST(CoulombWatch, LooksAtColumnsOneByOne) {
   CoulombWatch watch(0.5, 1, storage);
-  EXPECT_NEAR(watch.see({push(3, -1, 2), push(4, -1, -5)}), 2, 1e-12);  // all of column 4's
+  EXPECT_NEAR(watch.see({push(3, -1, 9), push(4, -1, -1)}), 2, 1e-12);
+}
+
+// A body that rocks: its front carries 3 N s and rubs lawfully, its rear is held down by 1 N s without friction.
+TEST(CoulombWatch, LooksAtColumnsTogether) {
+  CoulombWatch watch(0.5, 1, storage);
+  EXPECT_NEAR(watch.see({push(3, 0, -1), push(4, -1.5, 3)}), 1.5 * 2 / 3, 1e-12);
 }
 
 TEST(CoulombWatch, GoesOnWithTheWindowOfAnotherRun) {
