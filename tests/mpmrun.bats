@@ -312,8 +312,43 @@ slow() { edited "s/^mean = .*/mean = \"3 kPa\"/; s/^protocol = .*/protocol = \"r
     assert_success
     assert_equal "$(tsv_value status <<<"$output")" left_domain
     assert_equal "$(tsv_value influence_m <<<"$output")" 20
-    assert_regex "$stderr" 'warning: left the domain: the failure reaches the left wall after step [0-9]+, time 15 s, .*; lengthen the ground'
+    assert_regex "$stderr" 'warning: left the domain: the failure reaches the left wall after step [0-9]+, time 15 s, .*; lengthen the ground there'
   done
+}
+
+@test "a slide that reaches a closed right wall is censored, and so is a failure near a wall that holds soil up" {
+  sed 's/^right = .*/right = "roller"/; s/^width = .*/width = "32 m"/' "$TOP/pipelines/demo/scene.toml" >valley.toml
+  run --separate-stderr mpmrun valley.toml
+  assert_equal "$(tsv_value status <<<"$output")" left_domain
+  assert_regex "$stderr" 'warning: left the domain: the slide reaches the right wall after step '
+  sed 's/^cohesion = .*/cohesion = "10 kPa"/; s/^left = .*/left = "stick"/' "$TOP/pipelines/demo/scene.toml" >held.toml
+  run --separate-stderr mpmrun held.toml
+  assert_equal "$(tsv_value status <<<"$output")" left_domain
+  assert_regex "$stderr" 'warning: left the domain: the failure reaches the left wall after step '
+}
+
+@test "soil that settles as much as a slide moves is warned of, and a crest behind the edge" {
+  local surface='/^height = "5 m"/d; /^angle/d'
+  sed 's/^youngs_modulus = .*/youngs_modulus = "250 kPa"/' "$TOP/pipelines/demo/scene.toml" >soft.toml
+  run mpmrun soft.toml --explain
+  assert_line --regexp 'warning: soil settles by 0.67[0-9]* m under its weight without failing, and what moves by slid_displacement, 1 m, counts'
+  refute_line --partial unevenly
+  sed "$surface; s/^length = .*/surface = [[\"0 m\", \"1 m\"], [\"20 m\", \"5 m\"], [\"25 m\", \"0 m\"]]/; s/^youngs_modulus = .*/youngs_modulus = \"500 kPa\"/" "$TOP/pipelines/demo/scene.toml" >rising.toml
+  run mpmrun rising.toml --explain
+  assert_line --regexp 'warning: the ground behind the crest settles unevenly, by 0.0[0-9]+ to 0.3[0-9]* m, without failing'
+  sed "$surface; s/^length = .*/surface = [[\"0 m\", \"4.9 m\"], [\"10 m\", \"5 m\"], [\"20 m\", \"4.9 m\"], [\"25 m\", \"0 m\"]]/" "$TOP/pipelines/demo/scene.toml" >surveyed.toml
+  run mpmrun surveyed.toml --explain
+  assert_line --regexp 'warning: influence counts from the crest, .* at x = 10 m, .*; where the edge at x = 20 m is meant'
+  run mpmrun "$TOP/pipelines/demo/scene.toml" --explain
+  refute_output --partial warning
+}
+
+@test "a failure that ends near the left wall is told" {
+  sed 's/^length = .*/length = "16.2 m"/; s/^\[base\]/[nonlocal_softening]\nlength = "0.8 m"\n\n&/' "$TOP/pipelines/demo/scene.toml" >short.toml
+  run --separate-stderr mpmrun short.toml
+  assert_regex "$stderr" "note: the failure ends 4[.0-9]* m from the left wall, less than the slope's height"
+  run --separate-stderr mpmrun "$TOP/pipelines/demo/scene.toml"
+  assert_equal "$stderr" ""
 }
 
 @test "with more ground behind the crest it goes on there, and behind a plane of symmetry nothing is cut short" {

@@ -108,23 +108,36 @@ static std::string remedy(const EnergyAudit& energy, BaseContact contact) {
   if (energy.friction_excess <= std::abs(energy.missing()))
     return "; compare a smaller time step, and note that soil which falls onto its base misses some at any";
   const std::string cause = ", most of it by friction beyond Coulomb's law: ";
-  if (contact == BaseContact::two_body) return cause + "the normals of a two-body base lean where the soil ends; take finer cells";
+  if (contact == BaseContact::two_body)
+    return cause + "the normals of a two-body base lean where the soil ends; take finer cells and shorter steps";
   return cause + "soil that shakes is held down by a bilateral base; a unilateral one with a short step lets it go";
 }
 
-static void report_trouble(const Row& row, const Outcome& outcome, BaseContact contact) {
+/// Of a run that was not stopped at an end of the grid, and yet reached one, or nearly so.
+static void report_walls(const Row& row, const Scene& scene, const std::string& at_end) {
+  if (row.status == Status::left_domain) {
+    const bool is_right = is_at_right_wall(scene, row.runout);
+    warn(std::string("left the domain: ") + (is_right ? "the slide reaches the right wall" : "the failure reaches the left wall") + at_end +
+         ", so that influence and runout are lower bounds; lengthen the ground there, or call the wall \"symmetry\" in [walls] where "
+         "nothing lies behind");
+    return;
+  }
+  const double gap = scene.slope.crest.x - row.influence;
+  if (goes_on_behind(scene.boundaries.left) && row.influence > 0 && gap < scene.slope.crest.y)
+    note("the failure ends " + format_brief(gap, 3) +
+         " m from the left wall, less than the slope's height: on longer ground it may go farther");
+}
+
+static void report_trouble(const Row& row, const Outcome& outcome, const Scene& scene) {
   if (!outcome.trouble.empty()) warn((outcome.ending == Ending::diverged ? "diverged: " : "left the domain: ") + outcome.trouble);
   if (outcome.ending == Ending::diverged) return;
   const std::string at_end = " after step " + std::to_string(outcome.steps) + ", time " + format_brief(outcome.time) + " s";
-  if (row.status == Status::left_domain && outcome.ending != Ending::left_domain)
-    warn("left the domain: the failure reaches the left wall" + at_end +
-         ", so that influence and runout are lower bounds; lengthen the ground behind the crest, or write left = \"symmetry\" in [walls] "
-         "where nothing lies behind");
+  if (outcome.trouble.empty()) report_walls(row, scene, at_end);
   const std::string missed = "the energy balance misses " + format_brief(100 * std::abs(row.energy_error), 3) + " % of the work done";
   if (row.status == Status::diverged)
-    warn("diverged: " + missed + at_end + remedy(outcome.energy, contact));
+    warn("diverged: " + missed + at_end + remedy(outcome.energy, scene.boundaries.base));
   else if (std::abs(row.energy_error) > energy_error_warning)
-    warn(missed + remedy(outcome.energy, contact));
+    warn(missed + remedy(outcome.energy, scene.boundaries.base));
 }
 
 static void make_stage(const Options& options, const Scene& scene, const MaterialPoints& points) {
@@ -142,6 +155,7 @@ static void run(const Options& options) {
   const Scene scene = read_scene(options.scene, {.grid = true, .soil = true, .time = true});
   report_doubts(doubts_on(scene));
   const MaterialPoints points = material_points(scene);
+  for (const std::string& text : doubts_on_settlement(scene, points)) warn(text);
   if (options.makes_stage) return make_stage(options, scene, points);
   if (options.points.empty())
     for (const std::string& text : differences_of_means(scene)) note(text);
@@ -181,7 +195,7 @@ static void run(const Options& options) {
   });
 
   const Row row = row_of(scene, points, sample, outcome);
-  report_trouble(row, outcome, scene.boundaries.base);
+  report_trouble(row, outcome, scene);
   if (!options.state.empty()) write_state_file(options.state, points, outcome.points, state_provenance);
   if (!options.table.empty()) write_output(options.table, points_table(points, outcome.points, detailed("slidezone-table 1")));
   if (!options.profile.empty())

@@ -17,10 +17,10 @@ enum class BaseContact {
 
 /// What a wall does to the nodes on it.
 enum class Wall {
-  roller,    // no motion through it; as on the left the ground goes on behind it, a failure that reaches it is cut short
+  roller,    // no motion through it, either way; the ground goes on behind it, so that a slide that reaches it is cut short
   stick,     // no motion at all; likewise
   open,      // material that reaches it leaves the domain and censors the run
-  symmetry,  // a roller that stands for the mirror image of the soil, or for a smooth wall that is there: nothing is cut short
+  symmetry,  // a roller that stands for the mirror image of the soil, or for a smooth wall that the soil leans on: nothing is cut short
 };
 
 struct Boundaries {

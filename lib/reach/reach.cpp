@@ -13,7 +13,7 @@ double displacement(const Displaced& points, std::size_t p) {
   return std::hypot(points.x[p] - points.initial_x[p], points.y[p] - points.initial_y[p]);
 }
 
-/// Cells that hold points, and those among them that hang together with the left column.
+/// Cells that hold points, and those among them that hang together with the left-most ones.
 class Occupancy {
  public:
   Occupancy(const Displaced& points, double cell_x, double cell_y) : cell_x_(cell_x), cell_y_(cell_y) {
@@ -43,7 +43,8 @@ class Occupancy {
       at(i, j) = State::main_body;
       open.emplace_back(i, j);
     };
-    for (int j = 0; j < rows_; ++j) take(0, j);
+    for (int i = 0; open.empty() && i < columns_; ++i)
+      for (int j = 0; j < rows_; ++j) take(i, j);
     while (!open.empty()) {
       const auto [i, j] = open.back();
       open.pop_back();
@@ -110,11 +111,13 @@ ReachOfRun reach(const Displaced& points, const ReachSettings& settings) {
   const auto now = column_tops(points.x, points.y, settings.cell_x, settings.spacing_y);
   const double dropped = before[0] - now[0];  // nan where the left-most column is empty
   const double compression = compression_at_left(points, settings);
-  const bool is_reference = dropped - compression <= 0.5 * settings.influence_drop;
-  result.has_reached_left_wall = result.has_slid && !is_reference;
+  const double most_flow = std::min(0.5 * settings.influence_drop, 0.05 * (settings.crest.y - settings.toe.y));
+  const bool is_reference = dropped - compression <= most_flow;
   const double settlement = is_reference ? dropped : compression;
   result.influence = influence(before, now, settlement, settings.influence_drop, settings);
   result.influence_1m = influence(before, now, settlement, 1.0, settings);
+  const bool is_close = result.influence > 0 && settings.crest.x - result.influence < settings.held_at_left;
+  result.has_reached_left_wall = result.has_slid && (!is_reference || is_close);
   return result;
 }
 

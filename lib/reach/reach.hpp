@@ -1,7 +1,7 @@
 // How far a failure reaches, read off the material points of a run by definitions that need no eye.
 //
 // Runout R: front of the main body, plus half a point, minus the toe. The main body is made of the points in occupied cells
-// that hang together (sides or corners) with those at the left wall; the front is its front-most point that moved by more than
+// that hang together (sides or corners) with those farthest left; the front is its front-most point that moved by more than
 // `slid_displacement`. runout_max is the same without asking whether the point still hangs together with the body.
 // Influence I: crest minus the left edge of the first surface column, from the left, whose top dropped by more than
 // `influence_drop` beyond what the left-most column dropped (so that settlement cancels), to the nanometre. 0 if none did.
@@ -9,8 +9,9 @@
 //
 // The left-most column is no reference once its soil flows away. Its drop is then more than its soil was compressed,
 //   flow = drop - (V_0 - V) / cell_x,   V the volume now of the points that began in it,
-// and beyond half of influence_drop the failure has reached the left wall: what the soil was compressed stands for settlement, and with
-// more ground behind it both distances would be these or more.
+// and beyond half of influence_drop or a twentieth of the slope's height, whichever is less, the failure has reached the left wall: what
+// the soil was compressed stands for settlement, and the ground ends before the failure does. A wall that holds soil along it (stick)
+// keeps the column up: there a failure has reached it that comes closer than `held_at_left`.
 #pragma once
 
 #include <span>
@@ -34,6 +35,7 @@ struct ReachSettings {
   double spacing_y = 0;
   double influence_drop = 0.5;
   double slid_displacement = 1;
+  double held_at_left = 0;  // width of the soil that the left wall holds up, m; 0 where soil may slide along it
 };
 
 struct ReachOfRun {

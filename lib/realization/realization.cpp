@@ -145,8 +145,12 @@ static Status status_of(const Outcome& outcome, bool has_reached_end, bool has_s
   return has_slid ? Status::slid : Status::stable;
 }
 
-/// Whether ground that the scene leaves out goes on behind the left wall.
-static bool goes_on_at_left(const Scene& scene) { return scene.boundaries.left == Wall::roller || scene.boundaries.left == Wall::stick; }
+bool goes_on_behind(Wall wall) { return wall == Wall::roller || wall == Wall::stick; }
+
+bool is_at_right_wall(const Scene& scene, double runout) {
+  const GridShape& grid = scene.discretization.grid;
+  return goes_on_behind(scene.boundaries.right) && runout > 0 && scene.slope.toe.x + runout > grid.width() - grid.cell_x;
+}
 
 Row row_of(const Scene& scene, const MaterialPoints& points, const std::optional<FieldSample>& sample, const Outcome& outcome) {
   Row row;
@@ -161,10 +165,20 @@ Row row_of(const Scene& scene, const MaterialPoints& points, const std::optional
   row.status = Status::diverged;
   if (outcome.ending == Ending::diverged) return row;
 
+  const GridShape& grid = scene.discretization.grid;
   const ReachOfRun reached = reach({outcome.points.x, outcome.points.y, points.x, points.y, outcome.points.volume},
-                                   {scene.slope.crest, scene.slope.toe, scene.discretization.grid.cell_x, scene.discretization.grid.cell_y,
-                                    points.spacing_x, points.spacing_y, scene.output.influence_drop, scene.output.slid_displacement});
-  const bool has_reached_end = outcome.ending == Ending::left_domain || (reached.has_reached_left_wall && goes_on_at_left(scene));
+                                   {.crest = scene.slope.crest,
+                                    .toe = scene.slope.toe,
+                                    .cell_x = grid.cell_x,
+                                    .cell_y = grid.cell_y,
+                                    .spacing_x = points.spacing_x,
+                                    .spacing_y = points.spacing_y,
+                                    .influence_drop = scene.output.influence_drop,
+                                    .slid_displacement = scene.output.slid_displacement,
+                                    .held_at_left = scene.boundaries.left == Wall::stick ? scene.slope.crest.y : 0});
+  const bool has_reached_end = outcome.ending == Ending::left_domain ||
+                               (goes_on_behind(scene.boundaries.left) && reached.has_reached_left_wall) ||
+                               is_at_right_wall(scene, reached.runout);
   row.status = status_of(outcome, has_reached_end, reached.has_slid);
   if (row.status == Status::diverged) return row;
   row.influence = reached.influence;

@@ -40,6 +40,12 @@ Model model_of(const Scene& scene, const MaterialPoints& points, const std::opti
 inline constexpr double energy_error_warning = 0.02;
 inline constexpr double energy_error_failure = 0.05;
 
+/// Whether ground that the scene leaves out goes on behind a wall of this kind.
+bool goes_on_behind(Wall wall);
+
+/// Whether a slide with this runout stands at a right wall behind which the ground goes on.
+bool is_at_right_wall(const Scene& scene, double runout);
+
 /// The row of a finished run. Distances are nan for a diverged one.
 Row row_of(const Scene& scene, const MaterialPoints& points, const std::optional<FieldSample>& sample, const Outcome& outcome);
 

@@ -46,7 +46,7 @@ TEST(Reach, IgnoresSettlementOfTheWholeSlope) {
 
 TEST(Reach, GoesBackToTheWallWhereTheWholeGroundFlows) {
   Lattice points;
-  for (double& y : points.y) y *= 0.6;  // the top sinks by 0.7 m everywhere, and the soil keeps its volume
+  for (double& y : points.y) y *= 0.6;                    // the top sinks by 0.7 m everywhere, and the soil keeps its volume
   EXPECT_FALSE(points.measured().has_reached_left_wall);  // nothing moved by 1 m
   points.x[31] = 5.3;
   const ReachOfRun reached = points.measured();
@@ -54,18 +54,38 @@ TEST(Reach, GoesBackToTheWallWhereTheWholeGroundFlows) {
   EXPECT_DOUBLE_EQ(reached.influence, 3.0);
 }
 
-// Drops count from the left-most column as long as it flows by less than half of influence_drop, and from its compression beyond.
+// Drops count from the left-most column as long as it flows by less than a twentieth of the height, 0.1 m, and from its compression beyond.
 TEST(Reach, LeavesTheLeftMostColumnAsReferenceOnceItFlows) {
   const auto with_flow = [](double flow) {
     Lattice points;
-    for (std::size_t p = 0; p < points.x.size(); ++p) points.y[p] -= points.x[p] < 2 ? flow : 0.7;
+    for (std::size_t p = 0; p < points.x.size(); ++p) points.y[p] -= points.x[p] < 2 ? flow : 0.55;
     points.x[28] = 5.3;
     return points.measured();
   };
-  EXPECT_FALSE(with_flow(0.24).has_reached_left_wall);
-  EXPECT_DOUBLE_EQ(with_flow(0.24).influence, 0.0);  // 0.7 m less 0.24 m
-  EXPECT_TRUE(with_flow(0.26).has_reached_left_wall);
-  EXPECT_DOUBLE_EQ(with_flow(0.26).influence, 1.0);
+  EXPECT_FALSE(with_flow(0.09).has_reached_left_wall);
+  EXPECT_DOUBLE_EQ(with_flow(0.09).influence, 0.0);  // 0.55 m less 0.09 m
+  EXPECT_TRUE(with_flow(0.11).has_reached_left_wall);
+  EXPECT_DOUBLE_EQ(with_flow(0.11).influence, 1.0);
+}
+
+// A wall that holds soil along it keeps the left-most column up while all beside it fails.
+TEST(Reach, GoesBackToAWallThatHoldsTheLeftMostColumn) {
+  Lattice points;
+  for (std::size_t p = 0; p < points.x.size(); ++p)
+    if (points.x[p] > 1) points.y[p] -= 1.2;
+  ReachSettings settings{.crest = {3, 2}, .toe = {4, 0}, .cell_x = 1, .cell_y = 1, .spacing_x = 0.5, .spacing_y = 0.5};
+  const Displaced displaced{points.x, points.y, points.x0, points.y0, points.volume};
+  EXPECT_FALSE(reach(displaced, settings).has_reached_left_wall);
+  settings.held_at_left = 2;
+  EXPECT_TRUE(reach(displaced, settings).has_reached_left_wall);
+  settings.held_at_left = 0.5;  // the failure ends 1 m from the wall
+  EXPECT_FALSE(reach(displaced, settings).has_reached_left_wall);
+}
+
+TEST(Reach, FollowsABodyThatLeavesTheWall) {
+  Lattice points;
+  for (double& x : points.x) x += 10;
+  EXPECT_DOUBLE_EQ(points.measured().runout, 10);
 }
 
 TEST(Reach, GoesBackToAWallWhoseColumnIsEmpty) {
@@ -102,8 +122,8 @@ TEST(Reach, InfluenceIsTheDecimalThatItLooksLike) {
   for (int column = 0; column < 125; ++column) x.push_back(0.2 * (column + 0.5));
   const std::vector<double> before = y;
   std::fill(y.begin() + 81, y.end(), 4.0);
-  const ReachOfRun reached =
-      reach({x, y, x, before, volume}, {.crest = {20, 5}, .toe = {25, 0}, .cell_x = 0.2, .cell_y = 0.2, .spacing_x = 0.2, .spacing_y = 0.2});
+  const ReachOfRun reached = reach({x, y, x, before, volume},
+                                   {.crest = {20, 5}, .toe = {25, 0}, .cell_x = 0.2, .cell_y = 0.2, .spacing_x = 0.2, .spacing_y = 0.2});
   EXPECT_EQ(reached.influence, 3.8);
 }
 
