@@ -89,8 +89,8 @@ void fold_mass(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& set
 
 /// velocity = momentum / mass + change with change = dt (force / mass + gravity), then boundaries: a velocity that a wall
 /// or the base forbids is taken away, and the base takes the friction impulse, at most mu times the normal impulse
-/// max(0, -m v_y) of the unhindered motion (Coulomb; once per step). Remembers what friction did to each node.
-/// A two-body base acts on the nodes that `contact` names, along its normals.
+/// max(0, -m v_y) of the unhindered motion (Coulomb; once per step). Adds to `energies` and to nodes.frictions, which are to be empty when
+/// a step begins: the nodes of a step may come a box at a time. A two-body base acts on the nodes that `contact` names, along its normals.
 /// After fold_mass.
 template <class Real>
 void update_velocities(NodesOf<Real>& nodes, NodeEnergies& energies, const NodeBox& box, Vec2 gravity, const NodeSettings& settings,
