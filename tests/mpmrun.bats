@@ -416,8 +416,8 @@ slow() { edited "s/^mean = .*/mean = \"3 kPa\"/; s/^protocol = .*/protocol = \"r
 }
 
 @test "a run of a million points and its state take less than 300 bytes a point" {
-  sed 's/^cell = .*/cell = "0.02 m"/; s/^width = .*/width = "50 m"/; s/^step = .*/step = "7.5e-5 s"/; s/^end = .*/end = "1.5e-4 s"/' \
-    "$TOP/pipelines/benchmark/scene.toml" >large.toml
+  sed 's/^cell = .*/cell = "0.02 m"/; s/^width = .*/width = "26 m"/; s/^height = "10.4 m"/height = "5.4 m"/
+    s/^step = .*/step = "7.5e-5 s"/; s/^end = .*/end = "1.5e-4 s"/' "$TOP/pipelines/benchmark/scene.toml" >large.toml
   run bash -c "ulimit -d 329000; mpmrun large.toml --state large.hdf" # 1,124,750 points
   assert_success
 }

@@ -26,16 +26,20 @@ struct AxisWeightsOf {
 };
 using AxisWeights = AxisWeightsOf<double>;
 
-/// Weights of a point at `in_cells` = x / h whose first node is `first` = floor(in_cells - half_size).
-/// `inverse_4l` is 1 / (4 l), or 0 for linear shape functions. The place itself is a double: only what is left of it within the
-/// cell may be rounded to less.
+/// Weights of a point at s of its first node. `inverse_4l` is 1 / (4 l), or 0 for linear shape functions.
 template <class Real>
-constexpr AxisWeightsOf<Real> axis_weights(double in_cells, double first, Real half_size, Real inverse_4l) {
-  const Real s = static_cast<Real>(in_cells - first);
+constexpr AxisWeightsOf<Real> axis_weights(Real s, Real half_size, Real inverse_4l) {
   const Real reach = s + (half_size - 1);
   const Real o = reach > 0 ? reach : 0;
   const Real half_r = o * inverse_4l;
   return {s, o * half_r, half_r + half_r};
+}
+
+/// The same for a point at `in_cells` = x / h whose first node is `first` = floor(in_cells - half_size). The place itself is a double: only
+/// what is left of it within the cell may be rounded to less.
+template <class Real>
+constexpr AxisWeightsOf<Real> axis_weights(double in_cells, double first, Real half_size, Real inverse_4l) {
+  return axis_weights(static_cast<Real>(in_cells - first), half_size, inverse_4l);
 }
 
 struct AxisValues {

@@ -1,5 +1,5 @@
 // Where the nodes of a background grid lie in memory: column by column, y fastest, one padding node below and to the left
-// of the grid and enough above and to the right that a row of four nodes may be read from any node a point reaches.
+// of the grid and enough above and to the right that the nodes of a point on the edge may be read.
 #pragma once
 
 #include <cstddef>

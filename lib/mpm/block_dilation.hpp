@@ -19,7 +19,7 @@ namespace {  // compiled once per instruction set: no symbol may be shared betwe
 /// The cell that point p lies in. Its weights tell: s counts cells from the first node that it reaches.
 template <class Real>
 [[gnu::always_inline]] inline int cell_of(const BlockWeights<Real>& weights, int p, int rows) {
-  return weights.base[p] + (weights.s_x[p] >= 1 ? rows : 0) + (weights.s_y[p] >= 1 ? 1 : 0);
+  return weights.first_node[p] + (weights.s_x[p] >= 1 ? rows : 0) + (weights.s_y[p] >= 1 ? 1 : 0);
 }
 
 /// Keeps the gradients for later, and sums V and V d over cells.
@@ -30,13 +30,13 @@ template <class Real>
   for (int p = 0; p < block.count; ++p) {
     const std::size_t point = block.first + static_cast<std::size_t>(p);
     const int cell = cell_of(weights, p, data.storage.rows);
-    dilation.xx[point] = gradients[p].xx;
-    dilation.xy[point] = gradients[p].xy;
-    dilation.yx[point] = gradients[p].yx;
-    dilation.yy[point] = gradients[p].yy;
+    dilation.xx[point] = gradients.xx[p];
+    dilation.xy[point] = gradients.xy[p];
+    dilation.yx[point] = gradients.yx[p];
+    dilation.yy[point] = gradients.yy[p];
     dilation.cell[point] = cell;
     dilation.cell_volume[cell] += data.volume[point];
-    dilation.cell_dilation[cell] += data.volume[point] * (gradients[p].xx + gradients[p].yy);
+    dilation.cell_dilation[cell] += data.volume[point] * (gradients.xx[p] + gradients.yy[p]);
   }
 }
 
@@ -49,10 +49,10 @@ template <class Real>
     const int cell = dilation.cell[point];
     const Real mean = dilation.cell_dilation[cell] / dilation.cell_volume[cell];
     const Real half = Real{0.5} * (mean - (dilation.xx[point] + dilation.yy[point]));
-    gradients[p].xx = dilation.xx[point] + half;
-    gradients[p].yy = dilation.yy[point] + half;
-    gradients[p].xy = dilation.xy[point];
-    gradients[p].yx = dilation.yx[point];
+    gradients.xx[p] = dilation.xx[point] + half;
+    gradients.yy[p] = dilation.yy[point] + half;
+    gradients.xy[p] = dilation.xy[point];
+    gradients.yx[p] = dilation.yx[point];
   }
 }
 

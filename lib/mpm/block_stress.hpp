@@ -5,19 +5,17 @@
 #include <type_traits>
 
 #include "mpm/block_weights.hpp"
-#include "mpm/row.hpp"
+#include "mpm/lanes.hpp"
 #include "mpm/sweeps.hpp"
 
 namespace slidezone {
 namespace {  // compiled once per instruction set: no symbol may be shared between them
 
-/// Velocity gradient, 1/s: xy is the derivative of v_x along y.
+/// Velocity gradients, 1/s: xy is the derivative of v_x along y.
 template <class Real>
-struct Gradient {
-  Real xx, yx, xy, yy;
+struct BlockGradients {
+  Real xx[block_size], yx[block_size], xy[block_size], yy[block_size];
 };
-template <class Real>
-using BlockGradients = Gradient<Real>[block_size];
 
 template <class Real>
 struct Increment {
@@ -40,32 +38,98 @@ struct StressUpdate {
   bool is_broken;
 };
 
-/// The soil of point p; without layers the same for all, so that its constants stay in registers.
+/// The soils of a block's points; without layers a copy of the only one, whose constants stay in registers.
 template <SoilTraits traits, class Real>
-[[gnu::always_inline]] inline const SoilConstantsOf<Real>& soil_of_point(const SoilConstantsOf<Real>* soils, const int* soil_of, int p) {
-  return traits.has_layers ? soils[soil_of[p]] : soils[0];
-}
+struct BlockSoils {
+  const SoilConstantsOf<Real>* soils;
+  const int* soil_of;
 
-/// The yield surfaces of a block's points. A loop of its own: exp is one long chain, and eight points' chains run at once here that
-/// would wait for the stresses below.
+  [[gnu::always_inline]] const SoilConstantsOf<Real>& operator[](int p) const { return soils[soil_of[p]]; }
+};
+template <SoilTraits traits, class Real>
+requires(!traits.has_layers) struct BlockSoils<traits, Real> {
+  SoilConstantsOf<Real> soil;
+
+  BlockSoils(const SoilConstantsOf<Real>* soils, const int*) : soil(*soils) {}
+  [[gnu::always_inline]] const SoilConstantsOf<Real>& operator[](int) const { return soil; }
+};
+
+// What follows is a loop for each of some parts of the stress update. In one loop each point's numbers would wait for one another along
+// one long chain, exp, square root, quotient, and the processor sees only a few points at a time.
+
+/// The yield surfaces of a block's points.
 template <class Real>
 struct BlockYield {
   Real q_phi[block_size], k_c[block_size], tension[block_size];
 };
 
 template <SoilTraits traits, class Real>
-[[gnu::always_inline]] inline void find_yield(const SweepData<Real>& data, auto block, BlockYield<Real>& yield) {
+[[gnu::always_inline]] inline void find_yield(const SweepData<Real>& data, auto block, const BlockSoils<traits, Real>& soils,
+                                              BlockYield<Real>& yield) {
   const Real* softening_strain = data.softening_strain + block.first;
   const Real* peak_cohesion = data.peak_cohesion + block.first;
-  const int* soil_of = data.soil + block.first;
-  const SoilConstantsOf<Real>* soils = data.soils;
 #pragma GCC ivdep
   for (int p = 0; p < block.count; ++p) {
-    const YieldSurfaceOf<Real> surface =
-        yield_surface<traits>(soil_of_point<traits>(soils, soil_of, p), peak_cohesion[p], softening_strain[p]);
+    const YieldSurfaceOf<Real> surface = yield_surface<traits>(soils[p], peak_cohesion[p], softening_strain[p]);
     yield.q_phi[p] = surface.q_phi;
     yield.k_c[p] = surface.k_c;
     yield.tension[p] = surface.tension;
+  }
+}
+
+/// Strain increments and elastic trial stresses of a block's points.
+template <class Real>
+struct BlockTrial {
+  Real strain_xx[block_size], strain_yy[block_size], strain_xy[block_size];
+  Real xx[block_size], yy[block_size], zz[block_size], xy[block_size];
+  Real mean[block_size], j2[block_size];
+};
+
+template <SoilTraits traits, class Real>
+[[gnu::always_inline]] inline void try_elastic(const SweepData<Real>& data, auto block, const BlockSoils<traits, Real>& soils,
+                                               const BlockGradients<Real>& gradients, BlockTrial<Real>& trial) {
+  constexpr Real half = 0.5;
+  const Real* xx = data.xx + block.first;
+  const Real* yy = data.yy + block.first;
+  const Real* zz = data.zz + block.first;
+  const Real* xy = data.xy + block.first;
+  const Real step = static_cast<Real>(data.step);
+#pragma GCC ivdep
+  for (int p = 0; p < block.count; ++p) {
+    const SoilConstantsOf<Real>& soil = soils[p];
+    const Increment<Real> strain{gradients.xx[p] * step, gradients.yy[p] * step, half * (gradients.xy[p] + gradients.yx[p]) * step,
+                                 half * (gradients.xy[p] - gradients.yx[p]) * step};
+    const StressOf<Real> stress = trial_stress({xx[p], yy[p], zz[p], xy[p]}, strain, soil.bulk, soil.shear);
+    const InvariantsOf<Real> of_stress = invariants(stress);
+    trial.strain_xx[p] = strain.xx;
+    trial.strain_yy[p] = strain.yy;
+    trial.strain_xy[p] = strain.xy;
+    trial.xx[p] = stress.xx;
+    trial.yy[p] = stress.yy;
+    trial.zz[p] = stress.zz;
+    trial.xy[p] = stress.xy;
+    trial.mean[p] = of_stress.mean;
+    trial.j2[p] = of_stress.j2;
+  }
+}
+
+/// Ways back to the yield surface.
+template <class Real>
+struct BlockReturn {
+  Real kept[block_size], mean[block_size];
+};
+
+template <SoilTraits traits, class Real>
+[[gnu::always_inline]] inline void flow(const SweepData<Real>& data, auto block, const BlockSoils<traits, Real>& soils,
+                                        const BlockYield<Real>& yield, const BlockTrial<Real>& trial, BlockReturn<Real>& back) {
+  Real* plastic_strain = data.plastic_strain + block.first;
+#pragma GCC ivdep
+  for (int p = 0; p < block.count; ++p) {
+    const ReturnOf<Real> way =
+        way_back<traits>(InvariantsOf<Real>{trial.mean[p], trial.j2[p]}, soils[p], {yield.q_phi[p], yield.k_c[p], yield.tension[p]});
+    back.kept[p] = way.kept;
+    back.mean[p] = way.mean;
+    plastic_strain[p] += way.plastic_strain;
   }
 }
 
@@ -73,11 +137,12 @@ template <SoilTraits traits, class Real>
 template <class Real>
 [[gnu::always_inline]] inline double block_sum(auto block, Real (&values)[block_size]) {
   for (int p = block.count; p < block_size; ++p) values[p] = 0;
-  Row<Real> sums{};
-  for (int p = 0; p < block_size; p += 8) sums = sums + Row<Real>::load(values + p);
-  Real lane[8];
-  sums.store(lane);
-  return static_cast<double>(((lane[0] + lane[1]) + (lane[2] + lane[3])) + ((lane[4] + lane[5]) + (lane[6] + lane[7])));
+  Four<Real> sums[2]{};
+  for (int p = 0; p < block_size; p += 8)
+    for (int k = 0; k < 2; ++k) sums[k] = sums[k] + Four<Real>::load(values + p + 4 * k);
+  Real lane[4];
+  (sums[0] + sums[1]).store(lane);
+  return static_cast<double>((lane[0] + lane[1]) + (lane[2] + lane[3]));
 }
 
 template <SoilTraits traits, class Real>
@@ -89,24 +154,22 @@ template <SoilTraits traits, class Real>
   Real* zz = data.zz + block.first;
   Real* xy = data.xy + block.first;
   Real* volume = data.volume + block.first;
-  Real* plastic_strain = data.plastic_strain + block.first;
-  const int* soil_of = data.soil + block.first;
-  const SoilConstantsOf<Real>* soils = data.soils;
-  const Real step = static_cast<Real>(data.step);
+  const BlockSoils<traits, Real> soils(data.soils, data.soil + block.first);
   BlockYield<Real> yield;
-  find_yield<traits>(data, block, yield);
+  BlockTrial<Real> trial;
+  BlockReturn<Real> back;
+  find_yield(data, block, soils, yield);
+  try_elastic(data, block, soils, gradients, trial);
+  flow(data, block, soils, yield, trial, back);
   Real work[block_size];  // summed below: a sum inside the loop would keep it from becoming vector instructions
   Flag broken = 0;
 #pragma GCC ivdep
   for (int p = 0; p < block.count; ++p) {
-    const SoilConstantsOf<Real>& soil = soil_of_point<traits>(soils, soil_of, p);
-    const Increment<Real> strain{gradients[p].xx * step, gradients[p].yy * step, half * (gradients[p].xy + gradients[p].yx) * step,
-                                 half * (gradients[p].xy - gradients[p].yx) * step};
-    const StressOf<Real> old{xx[p], yy[p], zz[p], xy[p]};
-    StressOf<Real> now = trial_stress(old, strain, soil.bulk, soil.shear);
-    plastic_strain[p] += return_to_yield<traits>(now, soil, {yield.q_phi[p], yield.k_c[p], yield.tension[p]});
-    work[p] = volume[p] * half * ((old.xx + now.xx) * strain.xx + (old.yy + now.yy) * strain.yy + 2 * (old.xy + now.xy) * strain.xy);
-    volume[p] *= 1 + strain.xx + strain.yy;
+    const StressOf<Real> now =
+        returned({trial.xx[p], trial.yy[p], trial.zz[p], trial.xy[p]}, trial.mean[p], ReturnOf<Real>{back.kept[p], back.mean[p], 0});
+    work[p] = volume[p] * half *
+              ((xx[p] + now.xx) * trial.strain_xx[p] + (yy[p] + now.yy) * trial.strain_yy[p] + 2 * (xy[p] + now.xy) * trial.strain_xy[p]);
+    volume[p] *= 1 + trial.strain_xx[p] + trial.strain_yy[p];
     broken |= volume[p] > 0 ? Flag{0} : Flag{1};
     xx[p] = now.xx;
     yy[p] = now.yy;

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "grid/gimp.hpp"
+#include "mpm/lanes.hpp"
 #include "mpm/sweeps.hpp"
 
 namespace slidezone {
@@ -22,12 +23,19 @@ struct LastBlock {
   int count;
 };
 
+/// Numbers of a block's points: pairs, or four each, point after point.
+template <class Real>
+using BlockPairs = Real[2 * block_size];
+template <class Real>
+using BlockFours = Real[4 * block_size];
+
 /// Shape functions of a block's points, struct of arrays.
 template <class Real>
 struct BlockWeights {
-  Real s_x[block_size], q_x[block_size], r_x[block_size];
-  Real s_y[block_size], q_y[block_size], r_y[block_size];
-  int base[block_size];  // index of the first node that the point reaches
+  const Real *s_x, *s_y;
+  const int* first_node;
+  Real q_x[block_size], r_x[block_size];
+  Real q_y[block_size], r_y[block_size];
 };
 
 double inverse_4l(double half_size) { return half_size > 0 ? 1 / (4 * half_size) : 0; }
@@ -46,13 +54,12 @@ struct FirstNodes {
   bool is_lost;   // some point reaches beyond the box, or is not finite; its first node is kept within the box all the same
 };
 
+/// Where points lie along an axis now, as s of their first nodes.
 template <class Real>
-[[gnu::always_inline]] inline FirstNodes weigh_axis(const double* position, auto block, Axis axis, Real* s, Real* q, Real* r) {
+[[gnu::always_inline]] inline FirstNodes place_along(const double* position, auto block, Axis axis, Real* s) {
   if (block.count < 1) __builtin_unreachable();  // blocks are never empty
   FirstNodes first;
   const double half_size = axis.half_size;
-  const Real half = static_cast<Real>(half_size);
-  const Real over_4l = static_cast<Real>(inverse_4l(half_size));
   const double low = axis.low;
   const double high = axis.high;
   const double above = high + 1;
@@ -63,11 +70,8 @@ template <class Real>
     const double place = in_cells - half_size;
     const double at_least = place > low ? place : low;
     const int node = static_cast<int>(at_least < high ? at_least : high);
-    const AxisWeightsOf<Real> weights = axis_weights(in_cells, node, half, over_4l);
     first.node[p] = node;
-    s[p] = weights.s;
-    q[p] = weights.q;
-    r[p] = weights.r;
+    s[p] = static_cast<Real>(in_cells - node);
     lost |= (place >= low) & (place < above) ? 0L : 1L;
   }
   first.low = axis.high;
@@ -86,17 +90,84 @@ struct Reached {
   bool is_lost;
 };
 
+/// Places a block's points anew: their first nodes and s.
 template <class Real>
-[[gnu::always_inline]] inline Reached weigh(const SweepData<Real>& data, auto block, BlockWeights<Real>& weights) {
+[[gnu::always_inline]] inline Reached place(const SweepData<Real>& data, auto block) {
   constexpr int reach = 3;  // nodes along each axis
   const FirstNodes in_x =
-      weigh_axis(data.x + block.first, block, {1 / data.grid.cell_x, data.half_size_x, data.box.first_column, data.box.last_column - reach},
-                 weights.s_x, weights.q_x, weights.r_x);
+      place_along(data.x + block.first, block,
+                  {1 / data.grid.cell_x, data.half_size_x, data.box.first_column, data.box.last_column - reach}, data.s_x + block.first);
   const FirstNodes in_y =
-      weigh_axis(data.y + block.first, block, {1 / data.grid.cell_y, data.half_size_y, data.box.first_row, data.box.last_row - reach},
-                 weights.s_y, weights.q_y, weights.r_y);
-  for (int p = 0; p < block.count; ++p) weights.base[p] = in_x.node[p] * data.storage.rows + in_y.node[p];
+      place_along(data.y + block.first, block, {1 / data.grid.cell_y, data.half_size_y, data.box.first_row, data.box.last_row - reach},
+                  data.s_y + block.first);
+  int* first_node = data.first_node + block.first;
+  for (int p = 0; p < block.count; ++p) first_node[p] = in_x.node[p] * data.storage.rows + in_y.node[p];
   return {{in_x.low, in_x.high + reach, in_y.low, in_y.high + reach}, in_x.is_lost || in_y.is_lost};
+}
+
+template <class Real>
+[[gnu::always_inline]] inline void weigh_along(const Real* s, auto block, double half_size, Real* q, Real* r) {
+  const Real half = static_cast<Real>(half_size);
+  const Real over_4l = static_cast<Real>(inverse_4l(half_size));
+#pragma GCC ivdep
+  for (int p = 0; p < block.count; ++p) {
+    const AxisWeightsOf<Real> weights = axis_weights(s[p], half, over_4l);
+    q[p] = weights.q;
+    r[p] = weights.r;
+  }
+}
+
+/// Shape functions where a block's points were placed last.
+template <class Real>
+[[gnu::always_inline]] inline void weigh(const SweepData<Real>& data, auto block, BlockWeights<Real>& weights) {
+  weights.s_x = data.s_x + block.first;
+  weights.s_y = data.s_y + block.first;
+  weights.first_node = data.first_node + block.first;
+  weigh_along(weights.s_x, block, data.half_size_x, weights.q_x, weights.r_x);
+  weigh_along(weights.s_y, block, data.half_size_y, weights.q_y, weights.r_y);
+}
+
+/// Four numbers of each point, point after point, from one number of all points after the other.
+template <class Real>
+[[gnu::always_inline]] inline void interleave(FullBlock block, const Real* a, const Real* b, const Real* c, const Real* d,
+                                              BlockFours<Real>& of_points) {
+  for (int p = 0; p < block.count; p += 4) {
+    Four<Real> numbers[4] = {Four<Real>::load(a + p), Four<Real>::load(b + p), Four<Real>::load(c + p), Four<Real>::load(d + p)};
+    transpose(numbers);
+    for (int k = 0; k < 4; ++k) numbers[k].store(of_points + 4 * (p + k));
+  }
+}
+template <class Real>
+void interleave(LastBlock block, const Real* a, const Real* b, const Real* c, const Real* d, BlockFours<Real>& of_points) {
+  for (int p = 0; p < block.count; ++p) {
+    of_points[4 * p] = a[p];
+    of_points[4 * p + 1] = b[p];
+    of_points[4 * p + 2] = c[p];
+    of_points[4 * p + 3] = d[p];
+  }
+}
+
+/// The other way round.
+template <class Real>
+[[gnu::always_inline]] inline void separate(FullBlock block, const BlockFours<Real>& of_points, Real* a, Real* b, Real* c, Real* d) {
+  for (int p = 0; p < block.count; p += 4) {
+    Four<Real> numbers[4];
+    for (int k = 0; k < 4; ++k) numbers[k] = Four<Real>::load(of_points + 4 * (p + k));
+    transpose(numbers);
+    numbers[0].store(a + p);
+    numbers[1].store(b + p);
+    numbers[2].store(c + p);
+    numbers[3].store(d + p);
+  }
+}
+template <class Real>
+void separate(LastBlock block, const BlockFours<Real>& of_points, Real* a, Real* b, Real* c, Real* d) {
+  for (int p = 0; p < block.count; ++p) {
+    a[p] = of_points[4 * p];
+    b[p] = of_points[4 * p + 1];
+    c[p] = of_points[4 * p + 2];
+    d[p] = of_points[4 * p + 3];
+  }
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace slidezone {
 
 template <class Real>
 NodesOf<Real>::NodesOf(NodeStorage where)
-    : storage(where), mass(where.count()), velocity(2 * where.count()), change(2 * where.count()), new_velocity(2 * where.count()) {}
+    : storage(where), sums(4 * where.count()), force(2 * where.count()), motion(4 * where.count()), new_velocity(2 * where.count()) {}
 
 /// Calls act(first, count) for the run of nodes in each column of the box.
 template <class Real, class Act>
@@ -23,12 +23,19 @@ static void clear(NodeNumbers<Real>& values, std::size_t first, std::size_t coun
   std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(first), count, Real{0});
 }
 
+// Where a node's numbers begin.
+static std::size_t momentum_of(std::size_t node) { return 4 * node; }
+static std::size_t mass_of(std::size_t node) { return 4 * node + 2; }
+static std::size_t force_of(std::size_t node) { return 2 * node; }
+static std::size_t change_of(std::size_t node) { return 4 * node; }
+static std::size_t velocity_of(std::size_t node) { return 4 * node + 2; }
+static std::size_t new_velocity_of(std::size_t node) { return 2 * node; }
+
 template <class Real>
 void clear_sums(NodesOf<Real>& nodes, const NodeBox& box) {
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
-    clear(nodes.mass, first, count);
-    clear(nodes.velocity, 2 * first, 2 * count);
-    clear(nodes.change, 2 * first, 2 * count);
+    clear(nodes.sums, 4 * first, 4 * count);
+    clear(nodes.force, 2 * first, 2 * count);
   });
 }
 
@@ -88,17 +95,18 @@ static void for_each_image(const NodesOf<Real>& nodes, const NodeBox& box, const
   columns(right + 1, right - 1, settings.boundaries.right);
 }
 
+/// Pairs that begin at `behind` and `before`.
 template <class Real>
-static void fold_pairs(NodeNumbers<Real>& pairs, std::size_t behind, std::size_t before, Mirror mirror) {
-  pairs[2 * before] += mirror.x * pairs[2 * behind];
-  pairs[2 * before + 1] += mirror.y * pairs[2 * behind + 1];
-  pairs[2 * behind] = pairs[2 * behind + 1] = 0;
+static void fold_pairs(NodeNumbers<Real>& numbers, std::size_t behind, std::size_t before, Mirror mirror) {
+  numbers[before] += mirror.x * numbers[behind];
+  numbers[before + 1] += mirror.y * numbers[behind + 1];
+  numbers[behind] = numbers[behind + 1] = 0;
 }
 
 template <class Real>
-static void reflect_pairs(NodeNumbers<Real>& pairs, std::size_t behind, std::size_t before, Mirror mirror) {
-  pairs[2 * behind] = mirror.x * pairs[2 * before];
-  pairs[2 * behind + 1] = mirror.y * pairs[2 * before + 1];
+static void reflect_pairs(NodeNumbers<Real>& numbers, std::size_t behind, std::size_t before, Mirror mirror) {
+  numbers[behind] = mirror.x * numbers[before];
+  numbers[behind + 1] = mirror.y * numbers[before + 1];
 }
 
 // ---- walls and base as constraints --------------------------------------------------------------------------------------
@@ -130,14 +138,15 @@ struct NodeVelocity {
   Real& y;
 };
 
+/// The pair that begins at `first`.
 template <class Real>
-static NodeVelocity<Real> velocity_of(NodeNumbers<Real>& pairs, std::size_t node) {
-  return {pairs[2 * node], pairs[2 * node + 1]};
+static NodeVelocity<Real> pair_in(NodeNumbers<Real>& numbers, std::size_t first) {
+  return {numbers[first], numbers[first + 1]};
 }
 
 template <class Real>
-static Vec2 pair_at(const NodeNumbers<Real>& pairs, std::size_t node) {
-  return {pairs[2 * node], pairs[2 * node + 1]};
+static Vec2 pair_at(const NodeNumbers<Real>& numbers, std::size_t first) {
+  return {numbers[first], numbers[first + 1]};
 }
 
 template <class Real>
@@ -159,30 +168,32 @@ static double rubbed(double along, double pressed, double friction) {
   return std::copysign(std::max(0.0, std::abs(along) - friction * pressed), along);
 }
 
-/// v = momentum / m + dv, dv = dt (f / m + g), in place, for the nodes of one column.
+/// v = momentum / m + dv, dv = dt (f / m + g), for the nodes of one column.
 template <class Real>
-SLIDEZONE_VECTOR_LOOP static void balance_momentum(const Real* mass, Real* velocity, Real* change, std::size_t count, Real gravity_x,
+SLIDEZONE_VECTOR_LOOP static void balance_momentum(const Real* sums, const Real* force, Real* motion, std::size_t count, Real gravity_x,
                                                    Real gravity_y, Real least_mass, Real step) {
 #pragma GCC ivdep
   for (std::size_t k = 0; k < count; ++k) {
-    const bool is_filled = mass[k] > least_mass;
-    const Real inverse = is_filled ? 1 / mass[k] : 0;
+    const Real mass = sums[4 * k + 2];
+    const bool is_filled = mass > least_mass;
+    const Real inverse = is_filled ? 1 / mass : 0;
     const Real fall = is_filled ? step : 0;
-    const Real change_x = step * inverse * change[2 * k] + fall * gravity_x;
-    const Real change_y = step * inverse * change[2 * k + 1] + fall * gravity_y;
-    change[2 * k] = change_x;
-    change[2 * k + 1] = change_y;
-    velocity[2 * k] = velocity[2 * k] * inverse + change_x;
-    velocity[2 * k + 1] = velocity[2 * k + 1] * inverse + change_y;
+    const Real change_x = step * inverse * force[2 * k] + fall * gravity_x;
+    const Real change_y = step * inverse * force[2 * k + 1] + fall * gravity_y;
+    motion[4 * k] = change_x;
+    motion[4 * k + 1] = change_y;
+    motion[4 * k + 2] = sums[4 * k] * inverse + change_x;
+    motion[4 * k + 3] = sums[4 * k + 1] * inverse + change_y;
   }
 }
 
 /// v = momentum / m in place, for the nodes of one column.
 template <class Real>
-SLIDEZONE_VECTOR_LOOP static void divide_by_mass(const Real* mass, Real* velocity, std::size_t count, Real least_mass) {
+SLIDEZONE_VECTOR_LOOP static void divide_by_mass(const Real* sums, Real* velocity, std::size_t count, Real least_mass) {
 #pragma GCC ivdep
   for (std::size_t k = 0; k < count; ++k) {
-    const Real inverse = mass[k] > least_mass ? 1 / mass[k] : 0;
+    const Real mass = sums[4 * k + 2];
+    const Real inverse = mass > least_mass ? 1 / mass : 0;
     velocity[2 * k] *= inverse;
     velocity[2 * k + 1] *= inverse;
   }
@@ -195,17 +206,19 @@ struct Motion {
 };
 
 template <class Real>
-SLIDEZONE_VECTOR_LOOP static Motion motion_of(const Real* mass, const Real* velocity, std::size_t count) {
+SLIDEZONE_VECTOR_LOOP static Motion motion_of(const Real* sums, const Real* motion, std::size_t count) {
   double x = 0;
   double y = 0;
   double square = 0;
 #pragma omp simd reduction(+ : x, y, square)
   for (std::size_t k = 0; k < count; ++k) {
-    const Real along_x = mass[k] * velocity[2 * k];
-    const Real along_y = mass[k] * velocity[2 * k + 1];
+    const Real velocity_x = motion[4 * k + 2];
+    const Real velocity_y = motion[4 * k + 3];
+    const Real along_x = sums[4 * k + 2] * velocity_x;
+    const Real along_y = sums[4 * k + 2] * velocity_y;
     x += static_cast<double>(along_x);
     y += static_cast<double>(along_y);
-    square += static_cast<double>(along_x * velocity[2 * k] + along_y * velocity[2 * k + 1]);
+    square += static_cast<double>(along_x * velocity_x + along_y * velocity_y);
   }
   return {{x, y}, square};
 }
@@ -213,8 +226,10 @@ SLIDEZONE_VECTOR_LOOP static Motion motion_of(const Real* mass, const Real* velo
 /// What a boundary did to a node's velocity, which was `free`, goes into its change over the step too.
 template <class Real>
 static void add_to_change(NodesOf<Real>& nodes, std::size_t node, Vec2 free) {
-  nodes.change[2 * node] += static_cast<Real>(nodes.velocity[2 * node] - free.x);
-  nodes.change[2 * node + 1] += static_cast<Real>(nodes.velocity[2 * node + 1] - free.y);
+  const NodeVelocity<Real> velocity = pair_in(nodes.motion, velocity_of(node));
+  const NodeVelocity<Real> change = pair_in(nodes.motion, change_of(node));
+  change.x += static_cast<Real>(velocity.x - free.x);
+  change.y += static_cast<Real>(velocity.y - free.y);
 }
 
 static double along(Vec2 tangent, Vec2 v) { return tangent.x * v.x + tangent.y * v.y; }
@@ -228,11 +243,11 @@ static bool is_on_base(const NodesOf<Real>& nodes, std::size_t node) {
 /// Remembers what the base did to a node whose velocity would have been `free`; before add_to_change.
 template <class Real>
 static void remember_friction(NodesOf<Real>& nodes, std::size_t node, Vec2 free, Vec2 tangent, const NodeSettings& settings, Vec2 gravity) {
-  const Vec2 now = pair_at(nodes.velocity, node);
+  const Vec2 now = pair_at(nodes.motion, velocity_of(node));
   const double would_be = along(tangent, free);
-  const double change = along(tangent, pair_at(nodes.change, node));
+  const double change = along(tangent, pair_at(nodes.motion, change_of(node)));
   const double fall = settings.step * along(tangent, gravity);
-  const double mass = nodes.mass[node];
+  const double mass = nodes.sums[mass_of(node)];
   nodes.frictions.push_back({.node = node,
                              .push = {mass * (now.x - free.x), mass * (now.y - free.y)},
                              .slip = now.x,
@@ -247,7 +262,7 @@ static void remember_friction(NodesOf<Real>& nodes, std::size_t node, Vec2 free,
 template <class Real>
 static void touch_base(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings, Vec2 gravity) {
   for_nodes_on_base(nodes, box, [&](std::size_t node) {
-    const NodeVelocity<Real> velocity = velocity_of(nodes.velocity, node);
+    const NodeVelocity<Real> velocity = pair_in(nodes.motion, velocity_of(node));
     const Vec2 free = {velocity.x, velocity.y};
     hold_at_base(velocity, settings.boundaries.base);
     if (settings.boundaries.base != BaseContact::stick)
@@ -265,7 +280,7 @@ static void touch_body(NodesOf<Real>& nodes, const NodeBox& box, int row, const 
   if (row < box.first_row || row >= box.last_row) return;
   for (int column = box.first_column; column < box.last_column; ++column) {
     const std::size_t node = nodes.storage.index(column, row);
-    const NodeVelocity<Real> velocity = velocity_of(nodes.velocity, node);
+    const NodeVelocity<Real> velocity = pair_in(nodes.motion, velocity_of(node));
     const Vec2 free = {velocity.x, velocity.y};
     const Vec2 normal = normals[static_cast<std::size_t>(column)];
     const double approach = free.x * normal.x + free.y * normal.y;
@@ -283,7 +298,7 @@ template <class Real>
 static void touch_walls(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings) {
   const auto touch = [&](Wall wall) {
     return [&nodes, wall](std::size_t node) {
-      const NodeVelocity<Real> velocity = velocity_of(nodes.velocity, node);
+      const NodeVelocity<Real> velocity = pair_in(nodes.motion, velocity_of(node));
       const Vec2 free = {velocity.x, velocity.y};
       hold_at_wall(velocity, wall);
       add_to_change(nodes, node, free);
@@ -296,8 +311,8 @@ static void touch_walls(NodesOf<Real>& nodes, const NodeBox& box, const NodeSett
 template <class Real>
 void fold_mass(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings) {
   for_each_image(nodes, box, settings, [&](std::size_t behind, std::size_t before, Mirror) {
-    nodes.mass[before] += nodes.mass[behind];
-    nodes.mass[behind] = 0;
+    nodes.sums[mass_of(before)] += nodes.sums[mass_of(behind)];
+    nodes.sums[mass_of(behind)] = 0;
   });
 }
 
@@ -305,11 +320,11 @@ template <class Real>
 void update_velocities(NodesOf<Real>& nodes, NodeEnergies& energies, const NodeBox& box, Vec2 gravity, const NodeSettings& settings,
                        const ContactNormals& contact) {
   for_each_image(nodes, box, settings, [&](std::size_t behind, std::size_t before, Mirror mirror) {
-    fold_pairs(nodes.velocity, behind, before, mirror);
-    fold_pairs(nodes.change, behind, before, mirror);
+    fold_pairs(nodes.sums, momentum_of(behind), momentum_of(before), mirror);
+    fold_pairs(nodes.force, force_of(behind), force_of(before), mirror);
   });
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
-    balance_momentum(nodes.mass.data() + first, nodes.velocity.data() + 2 * first, nodes.change.data() + 2 * first, count,
+    balance_momentum(nodes.sums.data() + 4 * first, nodes.force.data() + 2 * first, nodes.motion.data() + 4 * first, count,
                      static_cast<Real>(gravity.x), static_cast<Real>(gravity.y), static_cast<Real>(settings.least_mass),
                      static_cast<Real>(settings.step));
   });
@@ -321,49 +336,61 @@ void update_velocities(NodesOf<Real>& nodes, NodeEnergies& energies, const NodeB
     touch_base(nodes, box, settings, gravity);
   }
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
-    const Motion motion = motion_of(nodes.mass.data() + first, nodes.velocity.data() + 2 * first, count);
+    const Motion motion = motion_of(nodes.sums.data() + 4 * first, nodes.motion.data() + 4 * first, count);
     energies.gravity_work += settings.step * (gravity.x * motion.momentum.x + gravity.y * motion.momentum.y);
     energies.kinetic += 0.5 * motion.square;
   });
   for_each_image(nodes, box, settings, [&](std::size_t behind, std::size_t before, Mirror mirror) {
-    reflect_pairs(nodes.velocity, behind, before, mirror);
-    reflect_pairs(nodes.change, behind, before, mirror);
+    reflect_pairs(nodes.motion, change_of(behind), change_of(before), mirror);
+    reflect_pairs(nodes.motion, velocity_of(behind), velocity_of(before), mirror);
   });
 }
 
 template <class Real>
 void copy_velocities(NodesOf<Real>& nodes, const NodeBox& box) {
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
-    const auto from = nodes.velocity.begin() + static_cast<std::ptrdiff_t>(2 * first);
-    std::copy(from, from + static_cast<std::ptrdiff_t>(2 * count), nodes.new_velocity.begin() + static_cast<std::ptrdiff_t>(2 * first));
+    for (std::size_t node = first; node < first + count; ++node)
+      std::copy_n(&nodes.motion[velocity_of(node)], 2, &nodes.new_velocity[new_velocity_of(node)]);
+  });
+}
+
+template <class Real>
+void copy_momenta(NodesOf<Real>& nodes, const NodeBox& box) {
+  for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
+    for (std::size_t node = first; node < first + count; ++node) {
+      std::copy_n(&nodes.sums[momentum_of(node)], 2, &nodes.new_velocity[new_velocity_of(node)]);
+      std::copy_n(&nodes.sums[momentum_of(node)], 2, &nodes.motion[velocity_of(node)]);  // what friction held in the last step is free
+    }
   });
 }
 
 template <class Real>
 void update_new_velocities(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings) {
-  for_each_image(nodes, box, settings,
-                 [&](std::size_t behind, std::size_t before, Mirror mirror) { fold_pairs(nodes.new_velocity, behind, before, mirror); });
+  for_each_image(nodes, box, settings, [&](std::size_t behind, std::size_t before, Mirror mirror) {
+    fold_pairs(nodes.new_velocity, new_velocity_of(behind), new_velocity_of(before), mirror);
+  });
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
-    divide_by_mass(nodes.mass.data() + first, nodes.new_velocity.data() + 2 * first, count, static_cast<Real>(settings.least_mass));
+    divide_by_mass(nodes.sums.data() + 4 * first, nodes.new_velocity.data() + 2 * first, count, static_cast<Real>(settings.least_mass));
   });
   const std::size_t first = nodes.storage.index(box.first_column, 0);
   const std::size_t last = nodes.storage.index(box.last_column, 0);
   for (NodeFriction& friction : nodes.frictions)
     if (first <= friction.node && friction.node < last)
-      friction.after = along(friction.tangent, pair_at(nodes.new_velocity, friction.node));
+      friction.after = along(friction.tangent, pair_at(nodes.new_velocity, new_velocity_of(friction.node)));
   const auto hold = [&](Wall wall) {
-    return [&nodes, wall](std::size_t node) { hold_at_wall(velocity_of(nodes.new_velocity, node), wall); };
+    return [&nodes, wall](std::size_t node) { hold_at_wall(pair_in(nodes.new_velocity, new_velocity_of(node)), wall); };
   };
   for_nodes_left(nodes, box, hold(settings.boundaries.left));
   for_nodes_right(nodes, box, settings.grid, hold(settings.boundaries.right));
   for_nodes_on_base(nodes, box, [&](std::size_t node) {
-    const NodeVelocity<Real> velocity = velocity_of(nodes.new_velocity, node);
+    const NodeVelocity<Real> velocity = pair_in(nodes.new_velocity, new_velocity_of(node));
     hold_at_base(velocity, settings.boundaries.base);
-    const bool is_held_by_friction = nodes.velocity[2 * node] == 0;
+    const bool is_held_by_friction = nodes.motion[velocity_of(node)] == 0;
     if (is_held_by_friction) velocity.x = 0;
   });
-  for_each_image(nodes, box, settings,
-                 [&](std::size_t behind, std::size_t before, Mirror mirror) { reflect_pairs(nodes.new_velocity, behind, before, mirror); });
+  for_each_image(nodes, box, settings, [&](std::size_t behind, std::size_t before, Mirror mirror) {
+    reflect_pairs(nodes.new_velocity, new_velocity_of(behind), new_velocity_of(before), mirror);
+  });
 }
 
 double friction_work(const NodeFriction& friction) {
@@ -390,6 +417,8 @@ template void update_velocities(NodesOf<double>&, NodeEnergies&, const NodeBox&,
 template void update_velocities(NodesOf<float>&, NodeEnergies&, const NodeBox&, Vec2, const NodeSettings&, const ContactNormals&);
 template void copy_velocities(NodesOf<double>&, const NodeBox&);
 template void copy_velocities(NodesOf<float>&, const NodeBox&);
+template void copy_momenta(NodesOf<double>&, const NodeBox&);
+template void copy_momenta(NodesOf<float>&, const NodeBox&);
 template void update_new_velocities(NodesOf<double>&, const NodeBox&, const NodeSettings&);
 template void update_new_velocities(NodesOf<float>&, const NodeBox&, const NodeSettings&);
 

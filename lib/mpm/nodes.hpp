@@ -1,8 +1,7 @@
 // The nodes of the background grid during a step, and what happens on them between the two sweeps: momentum balance,
 // boundaries and base contact.
 //
-// Pairs (x, y) node after node in the order of grid/node_storage.hpp. Arrays are named by what they hold after the update;
-// the sweeps first sum into them what it is made of.
+// Numbers lie node after node in the order of grid/node_storage.hpp; those that a point needs at the same time lie side by side.
 #pragma once
 
 #include <vector>
@@ -35,10 +34,10 @@ struct NodesOf {
   explicit NodesOf(NodeStorage where);
 
   NodeStorage storage;
-  NodeNumbers<Real> mass;          // kg/m
-  NodeNumbers<Real> velocity;      // m/s; summed as momentum
-  NodeNumbers<Real> change;        // m/s, change of velocity over the step; summed as internal force
-  NodeNumbers<Real> new_velocity;  // m/s, of the moved points; summed as their momentum
+  NodeNumbers<Real> sums;          // four a node: momentum (x, y), kg/s; mass, kg/m; nothing
+  NodeNumbers<Real> force;         // pairs (x, y): internal force, N/m
+  NodeNumbers<Real> motion;        // four a node: change of velocity over the step (x, y), and velocity after it, m/s
+  NodeNumbers<Real> new_velocity;  // pairs (x, y), m/s, of the moved points; summed as their momentum
   std::vector<NodeFriction> frictions;
 };
 
@@ -87,7 +86,7 @@ void set_new_velocities(NodesOf<Real>& nodes, const NodeBox& box, const std::vec
 template <class Real>
 void fold_mass(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings);
 
-/// velocity = momentum / mass + change with change = dt (force / mass + gravity), then boundaries: a velocity that a wall
+/// motion: velocity = momentum / mass + change with change = dt (force / mass + gravity), then boundaries: a velocity that a wall
 /// or the base forbids is taken away, and the base takes the friction impulse, at most mu times the normal impulse
 /// max(0, -m v_y) of the unhindered motion (Coulomb; once per step). Adds to `energies` and to nodes.frictions, which are to be empty when
 /// a step begins: the nodes of a step may come a box at a time. A two-body base acts on the nodes that `contact` names, along its normals.
@@ -96,9 +95,13 @@ template <class Real>
 void update_velocities(NodesOf<Real>& nodes, NodeEnergies& energies, const NodeBox& box, Vec2 gravity, const NodeSettings& settings,
                        const ContactNormals& contact);
 
-/// new_velocity = velocity: the velocities that moved the points (USL), or the momenta of the points before forces act (USF).
+/// new_velocity = the velocities that moved the points.
 template <class Real>
 void copy_velocities(NodesOf<Real>& nodes, const NodeBox& box);
+
+/// new_velocity = the momenta of the points before forces act, for update_new_velocities (USF).
+template <class Real>
+void copy_momenta(NodesOf<Real>& nodes, const NodeBox& box);
 
 /// new_velocity = momentum / mass, without what walls and base forbid. Friction acted in update_velocities already, and so did
 /// all of a two-body base; what friction stopped there stays stopped: else the soil would be strained by a slip that does not

@@ -90,6 +90,15 @@ struct DilationStorage {
   }
 };
 
+/// Where points lie in their cells, as the sweeps found last.
+template <class Real>
+struct Places {
+  std::vector<Real> s_x, s_y;
+  std::vector<int> first_node;
+
+  explicit Places(std::size_t points) : s_x(points), s_y(points), first_node(points) {}
+};
+
 /// Names what is wrong with the points: the first one that is outside the grid, or has lost its volume or its numbers.
 template <class Real>
 std::string trouble_of(const PointsOf<Real>& points, const GridShape& grid, std::uint64_t step, double time) {
@@ -118,6 +127,7 @@ class Run {
   Run(Model model, Kernel kernel)
       : model_(std::move(model)),
         points_(converted<Real>(std::move(model_.points))),
+        places_(points_.count()),
         nodes_(NodeStorage(model_.grid)),
         step_(time_step(model_)),
         sweeps_(slidezone::sweeps<Real>(kernel.set, kernel.traits)),
@@ -136,7 +146,7 @@ class Run {
       average_interval_ = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(NonlocalAverage::interval / step_));
     }
     box_ = {0, nodes_.storage.columns - 1, 0, nodes_.storage.rows - 1};
-    box_ = sweeps_.update(data()).box;  // at rest on a resting grid: nothing changes, but the box is found
+    box_ = sweeps_.place(data()).box;
     if (model_.stage) begin_with(*std::exchange(model_.stage, {}));
   }
 
@@ -214,6 +224,7 @@ class Run {
     for (auto values : {&Begun::velocity, &Begun::movement, &Begun::xx, &Begun::yy, &Begun::zz, &Begun::xy, &Begun::volume})
       points_.*values = std::move(begun.*values);
     box_ = stage.box;
+    sweeps_.place(data());
     set_new_velocities(nodes_, box_, stage.new_velocity);
     audit_ = stage.energy;
     steps_ = stage.steps();
@@ -226,6 +237,7 @@ class Run {
   void sort_points() {
     const HalfSize half = half_size(model_);
     reorder(points_, order_by_node(points_, nodes_.storage, model_.grid, half));
+    sweeps_.place(data());
     strips_.divide(points_.count(), box_,
                    [&](std::size_t p) { return first_node(points_.x[p], model_.grid.cell_x, half.x, nodes_.storage.columns); });
   }
@@ -286,7 +298,7 @@ class Run {
     const SweepReport moved = strips_.move(sweeps_.move_and_map_momentum, data());
     if (moved.is_broken) return moved;
     fold_mass(nodes_, moved.box, settings_);
-    copy_velocities(nodes_, moved.box);
+    copy_momenta(nodes_, moved.box);
     update_new_velocities(nodes_, moved.box, settings_);
     return strips_.stay(sweeps_.update_and_map_force, data());
   }
@@ -374,11 +386,12 @@ class Run {
             .peak_cohesion = points_.peak_cohesion.data(),
             .soil = model_.point_soils.empty() ? points_.soil.data() : points_.label.data(),
             .soils = soils_.data(),
-            .node_mass = nodes_.mass.data(),
-            .node_momentum = nodes_.velocity.data(),
-            .node_force = nodes_.change.data(),
-            .node_velocity = nodes_.velocity.data(),
-            .node_change = nodes_.change.data(),
+            .s_x = places_.s_x.data(),
+            .s_y = places_.s_y.data(),
+            .first_node = places_.first_node.data(),
+            .node_sums = nodes_.sums.data(),
+            .node_force = nodes_.force.data(),
+            .node_motion = nodes_.motion.data(),
             .node_new_momentum = nodes_.new_velocity.data(),
             .node_new_velocity = nodes_.new_velocity.data(),
             .dilation = dilation_ ? &dilation_view_ : nullptr,
@@ -393,6 +406,7 @@ class Run {
 
   Model model_;
   PointsOf<Real> points_;
+  Places<Real> places_;
   NodesOf<Real> nodes_;
   double step_;
   Sweeps<Real> sweeps_;

@@ -31,7 +31,7 @@ static SweepData<Real> part_of(SweepData<Real> data, std::size_t first, std::siz
   data.point_count = count;
   data.box = box;
   skip(data.x, data.y, data.xx, data.yy, data.zz, data.xy, data.volume, data.plastic_strain, data.softening_strain, data.mass,
-       data.peak_cohesion, data.soil);
+       data.peak_cohesion, data.soil, data.s_x, data.s_y, data.first_node);
   data.velocity += 2 * first;
   data.movement += 2 * first;
   if (data.dilation) {

@@ -60,15 +60,19 @@ SweepReport update_and_map(const SweepData<Real>& data) {
   for_each_block(data, [&](auto block) {
     BlockWeights<Real> weights;
     BlockGradients<Real> gradients;
-    fetch_next(block, data.x, data.y, data.xx, data.yy, data.zz, data.xy, data.volume, data.plastic_strain, data.mass, data.peak_cohesion,
-               data.movement + block.first, data.movement + block.first + block_size, data.velocity + block.first,
-               data.velocity + block.first + block_size);
+    fetch_next(block, data.x, data.y, data.s_x, data.s_y, data.first_node, data.xx, data.yy, data.zz, data.xy, data.volume,
+               data.plastic_strain, data.mass, data.peak_cohesion, data.movement + block.first, data.movement + block.first + block_size,
+               data.velocity + block.first, data.velocity + block.first + block_size);
     weigh(data, block, weights);
     gather_gradients(data, block, weights, gradients);
     join(report, update_stress<traits>(data, block, gradients));
     move(data, block);
-    join(report, weigh(data, block, weights));
-    if constexpr (map == Map::yes) map_to_nodes<Give::both>(data, block, weights, stress_of(data, block));
+    join(report, place(data, block));
+    if constexpr (map == Map::yes) {
+      weigh(data, block, weights);
+      map_mass_and_momentum(data, block, weights);
+      map_force(data, block, weights, stress_of(data, block));
+    }
   });
   return report;
 }
@@ -88,12 +92,13 @@ template <SoilTraits traits, class Real>
 SweepReport update_with_mean_dilation(const SweepData<Real>& data) {
   SweepReport report = empty_report(data);
   for_each_block(data, [&](auto block) {
-    BlockWeights<Real> weights;
     BlockGradients<Real> gradients;
     mean_gradients(data, block, gradients);
     join(report, update_stress<traits>(data, block, gradients));
     move(data, block);
-    join(report, weigh(data, block, weights));
+    join(report, place(data, block));
+    BlockWeights<Real> weights;
+    weigh(data, block, weights);
     sum_pressure(data, block, weights);
   });
   return report;
@@ -106,7 +111,8 @@ void map_with_mean_stress(const SweepData<Real>& data) {
     MeanStress<Real> mean;
     weigh(data, block, weights);
     mean_stress(data, block, mean);
-    map_to_nodes<Give::both>(data, block, weights, BlockStress<Real>{mean.xx, mean.yy, data.xy + block.first});
+    map_mass_and_momentum(data, block, weights);
+    map_force(data, block, weights, BlockStress<Real>{mean.xx, mean.yy, data.xy + block.first});
   });
 }
 
@@ -118,8 +124,9 @@ SweepReport move_and_map_momentum(const SweepData<Real>& data) {
   for_each_block(data, [&](auto block) {
     BlockWeights<Real> weights;
     move(data, block);
-    join(report, weigh(data, block, weights));
-    map_to_nodes<Give::momentum>(data, block, weights, BlockStress<Real>{});
+    join(report, place(data, block));
+    weigh(data, block, weights);
+    map_mass_and_momentum(data, block, weights);
   });
   return report;
 }
@@ -130,10 +137,11 @@ SweepReport update_and_map_force(const SweepData<Real>& data) {
   for_each_block(data, [&](auto block) {
     BlockWeights<Real> weights;
     BlockGradients<Real> gradients;
-    join(report, weigh(data, block, weights));
+    join(report, place(data, block));
+    weigh(data, block, weights);
     gather_gradients(data, block, weights, gradients);
     join(report, update_stress<traits>(data, block, gradients));
-    map_to_nodes<Give::force>(data, block, weights, stress_of(data, block));
+    map_force(data, block, weights, stress_of(data, block));
   });
   return report;
 }
@@ -142,26 +150,39 @@ SweepReport update_and_map_force(const SweepData<Real>& data) {
 
 enum class SecondMap { yes, no };
 
-template <SecondMap second_map, class Real>
+template <SecondMap second_map, Damping damping, class Real>
 double gather(const SweepData<Real>& data) {
   double damped = 0;
   for_each_block(data, [&](auto block) {
     BlockWeights<Real> weights;
-    FromNodes<Real> from_nodes[block_size];
     BlockPairs<Real> momentum;
-    fetch_next(block, data.x, data.y, data.mass, data.velocity + block.first, data.velocity + block.first + block_size,
+    fetch_next(block, data.s_x, data.s_y, data.first_node, data.mass, data.velocity + block.first, data.velocity + block.first + block_size,
                data.movement + block.first, data.movement + block.first + block_size);
     weigh(data, block, weights);
-    gather_velocities(data, block, weights, from_nodes);
-    damped += update_velocities(data, block, from_nodes, momentum);
-    if constexpr (second_map == SecondMap::yes) map_momentum(data, block, weights, momentum);
+    damped += gather_velocities<damping>(data, block, weights, momentum);
+    if constexpr (second_map == SecondMap::yes) map_new_momentum(data, block, weights, momentum);
   });
   return damped;
 }
 
+template <SecondMap second_map, class Real>
+double gather(const SweepData<Real>& data) {
+  return data.grid_part > 0 ? gather<second_map, Damping::yes>(data) : gather<second_map, Damping::no>(data);
+}
+
+// ---- before the first step, and when points were sorted -------------------------------------------------------------------
+
+template <class Real>
+SweepReport place_all(const SweepData<Real>& data) {
+  SweepReport report = empty_report(data);
+  for_each_block(data, [&](auto block) { join(report, place(data, block)); });
+  return report;
+}
+
 template <SoilTraits traits, class Real>
 Sweeps<Real> sweeps_for() {
-  return {.update_and_map = update_and_map<traits, Map::yes, Real>,
+  return {.place = place_all<Real>,
+          .update_and_map = update_and_map<traits, Map::yes, Real>,
           .update = update_and_map<traits, Map::no, Real>,
           .gather_dilation = gather_dilation<Real>,
           .update_with_mean_dilation = update_with_mean_dilation<traits, Real>,

@@ -1,5 +1,5 @@
 // The two sweeps over material points of one MUSL step (modified update stress last; Sulsky, Zhou and Schreyer 1995), fused
-// so that nothing but six numbers a point passes between them.
+// so that little passes between them: a point's movement, and where it lies in its cell.
 //
 //   sweep A   velocity gradient from the last step's node velocities, stress (Jaumann rate, Drucker-Prager), move;
 //             then mass, momentum and internal force to the nodes
@@ -39,12 +39,14 @@ struct SweepData {
   const Real *mass, *peak_cohesion;
   const int* soil;
   const SoilConstantsOf<Real>* soils;
+  Real *s_x, *s_y;  // where points lie in their cells (grid/gimp.hpp), and the first nodes that they reach: written whenever they move
+  int* first_node;
   // nodes
-  Real *node_mass, *node_momentum, *node_force;  // written by sweep A
-  const Real *node_velocity, *node_change;       // v and dt a after the node update, read by sweep B
-  Real* node_new_momentum;                       // written by sweep B
-  const Real* node_new_velocity;                 // read by the next sweep A
-  Dilation<Real>* dilation;                      // for AntiLocking::b_bar alone
+  Real *node_sums, *node_force;   // written by sweep A
+  const Real* node_motion;        // read by sweep B
+  Real* node_new_momentum;        // written by sweep B
+  const Real* node_new_velocity;  // read by the next sweep A
+  Dilation<Real>* dilation;       // for AntiLocking::b_bar alone
   NodeStorage storage;
   NodeBox box;  // the nodes that points may reach; they are zeroed before sweep A
   // geometry
@@ -69,6 +71,7 @@ InstructionSet best_instruction_set();
 /// The sweeps for one instruction set and one combination of soil traits.
 template <class Real>
 struct Sweeps {
+  SweepReport (*place)(const SweepData<Real>&);  // finds where points lie, which all others but it take for known
   // MUSL and USL
   SweepReport (*update_and_map)(const SweepData<Real>&);  // sweep A
   SweepReport (*update)(const SweepData<Real>&);          // sweep A without the map to the nodes: ends a run

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "core/portable_math.hpp"
@@ -112,23 +113,46 @@ SLIDEZONE_INLINE YieldSurfaceOf<Real> yield_surface(const SoilConstantsOf<Real>&
   return {q_phi, k_c, cut * q_phi <= k_c ? cut : k_c / q_phi};
 }
 
-/// Takes `stress` back to the yield surface where it lies outside; returns the increment of the equivalent plastic strain.
-template <SoilTraits traits, class Real>
-SLIDEZONE_INLINE Real return_to_yield(StressOf<Real>& stress, const SoilConstantsOf<Real>& soil, const YieldSurfaceOf<Real>& yield) {
+/// What a yield surface sees of a stress.
+template <class Real>
+struct InvariantsOf {
+  Real mean = 0;  // s_m
+  Real j2 = 0;    // J2
+};
+
+template <class Real>
+SLIDEZONE_INLINE InvariantsOf<Real> invariants(const StressOf<Real>& stress) {
   constexpr Real third = Real{1} / 3;
   constexpr Real half = 0.5;
   const Real mean = (stress.xx + stress.yy + stress.zz) * third;
   const Real dev_xx = stress.xx - mean;
   const Real dev_yy = stress.yy - mean;
   const Real dev_zz = stress.zz - mean;
-  const Real tau = std::sqrt(half * (dev_xx * dev_xx + dev_yy * dev_yy + dev_zz * dev_zz) + stress.xy * stress.xy);
+  return {mean, half * (dev_xx * dev_xx + dev_yy * dev_yy + dev_zz * dev_zz) + stress.xy * stress.xy};
+}
+
+/// What the return to the yield surface leaves of a trial stress, and what it costs.
+template <class Real>
+struct ReturnOf {
+  Real kept = 1;            // part of the deviatoric stress
+  Real mean = 0;            // s_m
+  Real plastic_strain = 0;  // increment of the equivalent plastic strain
+};
+
+/// The way back to the yield surface for stresses outside it; others keep everything.
+template <SoilTraits traits, class Real>
+SLIDEZONE_INLINE ReturnOf<Real> way_back(InvariantsOf<Real> trial, const SoilConstantsOf<Real>& soil, const YieldSurfaceOf<Real>& yield) {
+  constexpr Real third = Real{1} / 3;
+  const Real mean = trial.mean;
+  const Real tau = std::sqrt(trial.j2);
   const Real G = soil.shear;
   const Real K = soil.bulk;
 
   Real shear_multiplier = 0;
   Real tension_multiplier = 0;
   if constexpr (!traits.has_cone) {
-    shear_multiplier = (tau > yield.k_c ? tau - yield.k_c : 0) * soil.inverse_shear;
+    const Real outside = tau - yield.k_c;
+    shear_multiplier = (outside > 0 ? outside : 0) * soil.inverse_shear;
   } else {
     const Real outside = tau + yield.q_phi * mean - yield.k_c;
     const Real tau_at_cut = yield.k_c - yield.q_phi * yield.tension;
@@ -139,13 +163,28 @@ SLIDEZONE_INLINE Real return_to_yield(StressOf<Real>& stress, const SoilConstant
     tension_multiplier = is_above_cut ? (mean - yield.tension) * soil.inverse_bulk - soil.q_psi * shear_multiplier : 0;
   }
 
-  const Real kept = tau > 0 ? 1 - G * shear_multiplier / tau : 1;
-  const Real volumetric = soil.q_psi * shear_multiplier + tension_multiplier;
-  const Real new_mean = traits.has_cone ? mean - K * volumetric : mean;
-  stress = {new_mean + kept * dev_xx, new_mean + kept * dev_yy, new_mean + kept * dev_zz, kept * stress.xy};
+  const Real divisor = tau > std::numeric_limits<Real>::min() ? tau : std::numeric_limits<Real>::min();  // 0 / 0 would be no number
+  const Real kept = 1 - G * shear_multiplier / divisor;
   const Real by_shear_alone = __builtin_assoc_barrier(shear_multiplier * std::sqrt(third));
-  if constexpr (!traits.has_cone) return by_shear_alone;
-  return volumetric == 0 ? by_shear_alone : std::sqrt(third * shear_multiplier * shear_multiplier + Real{2} / 9 * volumetric * volumetric);
+  if constexpr (!traits.has_cone) return {kept, mean, by_shear_alone};
+  const Real volumetric = soil.q_psi * shear_multiplier + tension_multiplier;
+  const Real by_both = std::sqrt(third * shear_multiplier * shear_multiplier + Real{2} / 9 * volumetric * volumetric);
+  return {kept, mean - K * volumetric, volumetric == 0 ? by_shear_alone : by_both};
+}
+
+template <class Real>
+SLIDEZONE_INLINE StressOf<Real> returned(const StressOf<Real>& trial, Real trial_mean, const ReturnOf<Real>& back) {
+  return {back.mean + back.kept * (trial.xx - trial_mean), back.mean + back.kept * (trial.yy - trial_mean),
+          back.mean + back.kept * (trial.zz - trial_mean), back.kept * trial.xy};
+}
+
+/// Takes `stress` back to the yield surface where it lies outside; returns the increment of the equivalent plastic strain.
+template <SoilTraits traits, class Real>
+SLIDEZONE_INLINE Real return_to_yield(StressOf<Real>& stress, const SoilConstantsOf<Real>& soil, const YieldSurfaceOf<Real>& yield) {
+  const InvariantsOf<Real> trial = invariants(stress);
+  const ReturnOf<Real> back = way_back<traits>(trial, soil, yield);
+  stress = returned(stress, trial.mean, back);
+  return back.plastic_strain;
 }
 
 }  // namespace slidezone

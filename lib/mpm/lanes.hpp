@@ -1,0 +1,164 @@
+// Two or four numbers side by side: the vector types of the sweeps. A pair is (x, y) of a point or a node; four are two such pairs, or
+// one number of four points. Four doubles are one register of AVX or two of baseline x86-64; the compiler's flags choose.
+// Included by sweeps.cpp alone.
+#pragma once
+
+#include <immintrin.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace slidezone {
+namespace {  // compiled once per instruction set: no symbol may be shared between them
+
+#if defined(__AVX2__)
+constexpr int register_bytes = 32;
+#else
+constexpr int register_bytes = 16;
+#endif
+
+template <class Real, int lane_count>
+struct Lanes {
+  static constexpr int size = lane_count;
+  static constexpr int bytes = lane_count * static_cast<int>(sizeof(Real));
+  static constexpr int chunks = bytes > register_bytes ? bytes / register_bytes : 1;
+  static constexpr int chunk_bytes = bytes < 16 ? 16 : bytes / chunks;  // a pair of floats fills half a register; the rest is not used
+  typedef Real Chunk __attribute__((vector_size(chunk_bytes)));
+  typedef Real ChunkInMemory __attribute__((vector_size(chunk_bytes), aligned(sizeof(Real)), may_alias));
+  Chunk chunk[chunks];
+
+  [[gnu::always_inline]] static Lanes load(const Real* from) {
+    if constexpr (bytes < 16) return {{_mm_castpd_ps(_mm_load_sd(reinterpret_cast<const double*>(from)))}};
+    Lanes lanes;
+    for (int k = 0; k < chunks; ++k) lanes.chunk[k] = reinterpret_cast<const ChunkInMemory*>(from)[k];
+    return lanes;
+  }
+  [[gnu::always_inline]] void store(Real* to) const {
+    if constexpr (bytes < 16) return _mm_store_sd(reinterpret_cast<double*>(to), _mm_castps_pd(chunk[0]));
+    for (int k = 0; k < chunks; ++k) reinterpret_cast<ChunkInMemory*>(to)[k] = chunk[k];
+  }
+};
+
+template <class Real>
+using Pair = Lanes<Real, 2>;
+template <class Real>
+using Four = Lanes<Real, 4>;
+
+template <class Real, int n>
+[[gnu::always_inline]] inline Lanes<Real, n> operator*(Lanes<Real, n> a, Lanes<Real, n> b) {
+  for (int k = 0; k < Lanes<Real, n>::chunks; ++k) a.chunk[k] *= b.chunk[k];
+  return a;
+}
+
+template <class Real, int n>
+[[gnu::always_inline]] inline Lanes<Real, n> operator*(Real a, Lanes<Real, n> b) {
+  for (int k = 0; k < Lanes<Real, n>::chunks; ++k) b.chunk[k] *= a;
+  return b;
+}
+
+template <class Real, int n>
+[[gnu::always_inline]] inline Lanes<Real, n> operator+(Lanes<Real, n> a, Lanes<Real, n> b) {
+  for (int k = 0; k < Lanes<Real, n>::chunks; ++k) a.chunk[k] += b.chunk[k];
+  return a;
+}
+
+template <class Real, int n>
+[[gnu::always_inline]] inline Lanes<Real, n> operator-(Lanes<Real, n> a, Lanes<Real, n> b) {
+  for (int k = 0; k < Lanes<Real, n>::chunks; ++k) a.chunk[k] -= b.chunk[k];
+  return a;
+}
+
+/// a b + c lane by lane, rounded once where the instruction set can. The compiler itself is not free to fuse (CMakeLists.txt): it would
+/// do so here and not there, and kernels that leave things out would differ in their last bits.
+template <class Real, int n>
+[[gnu::always_inline]] inline Lanes<Real, n> fused(Lanes<Real, n> a, Lanes<Real, n> b, Lanes<Real, n> c) {
+  using V = Lanes<Real, n>;
+  for (int k = 0; k < V::chunks; ++k) {
+#if defined(__FMA__)
+    if constexpr (std::is_same_v<Real, float>)
+      c.chunk[k] = _mm_fmadd_ps(a.chunk[k], b.chunk[k], c.chunk[k]);
+    else if constexpr (V::chunk_bytes == 32)
+      c.chunk[k] = _mm256_fmadd_pd(a.chunk[k], b.chunk[k], c.chunk[k]);
+    else
+      c.chunk[k] = _mm_fmadd_pd(a.chunk[k], b.chunk[k], c.chunk[k]);
+#else
+    c.chunk[k] += a.chunk[k] * b.chunk[k];
+#endif
+  }
+  return c;
+}
+
+template <class Real, int n>
+[[gnu::always_inline]] inline Lanes<Real, n> fused(Real a, Lanes<Real, n> b, Lanes<Real, n> c) {
+  Lanes<Real, n> everywhere;
+  for (int k = 0; k < Lanes<Real, n>::chunks; ++k) everywhere.chunk[k] = a - typename Lanes<Real, n>::Chunk{};
+  return fused(everywhere, b, c);
+}
+
+/// The pairs that four numbers are made of.
+template <class Real>
+[[gnu::always_inline]] inline Pair<Real> low(Four<Real> four) {
+  if constexpr (Four<Real>::chunk_bytes == 32)
+    return {{__builtin_shufflevector(four.chunk[0], four.chunk[0], 0, 1)}};
+  else
+    return {{four.chunk[0]}};
+}
+template <class Real>
+[[gnu::always_inline]] inline Pair<Real> high(Four<Real> four) {
+  if constexpr (Four<Real>::chunks == 2)
+    return {{four.chunk[1]}};
+  else if constexpr (Four<Real>::chunk_bytes == 32)
+    return {{__builtin_shufflevector(four.chunk[0], four.chunk[0], 2, 3)}};
+  else
+    return {{__builtin_shufflevector(four.chunk[0], four.chunk[0], 2, 3, 2, 3)}};
+}
+
+/// (x, y) of a, then (x, y) of b.
+template <class Real>
+[[gnu::always_inline]] inline Four<Real> both(Pair<Real> a, Pair<Real> b) {
+  if constexpr (Four<Real>::chunks == 2)
+    return {{a.chunk[0], b.chunk[0]}};
+  else if constexpr (Four<Real>::chunk_bytes == 32)
+    return {{__builtin_shufflevector(a.chunk[0], b.chunk[0], 0, 1, 2, 3)}};
+  else
+    return {{__builtin_shufflevector(a.chunk[0], b.chunk[0], 0, 1, 4, 5)}};
+}
+
+/// (a, a, b, b)
+template <class Real>
+[[gnu::always_inline]] inline Four<Real> two_of_each(Real a, Real b) {
+  using Chunk = typename Four<Real>::Chunk;
+  if constexpr (Four<Real>::chunks == 2)
+    return {{a - Chunk{}, b - Chunk{}}};
+  else
+    return {{__builtin_shufflevector(a - Chunk{}, b - Chunk{}, 0, 1, 6, 7)}};
+}
+
+/// Turns four numbers of each of four points into one number of all four points each, or back.
+template <class Real>
+[[gnu::always_inline]] inline void transpose(Four<Real> (&rows)[4]) {
+  if constexpr (Four<Real>::chunks == 2) {
+    const auto turn = [](auto& a, auto& b) __attribute__((always_inline)) {
+      const auto low_halves = __builtin_shufflevector(a, b, 0, 2);
+      b = __builtin_shufflevector(a, b, 1, 3);
+      a = low_halves;
+    };
+    for (int half = 0; half < 2; ++half) {
+      turn(rows[0].chunk[half], rows[1].chunk[half]);
+      turn(rows[2].chunk[half], rows[3].chunk[half]);
+    }
+    for (int k = 0; k < 2; ++k) std::swap(rows[k].chunk[1], rows[k + 2].chunk[0]);
+  } else {
+    const auto even_01 = __builtin_shufflevector(rows[0].chunk[0], rows[1].chunk[0], 0, 4, 2, 6);
+    const auto odd_01 = __builtin_shufflevector(rows[0].chunk[0], rows[1].chunk[0], 1, 5, 3, 7);
+    const auto even_23 = __builtin_shufflevector(rows[2].chunk[0], rows[3].chunk[0], 0, 4, 2, 6);
+    const auto odd_23 = __builtin_shufflevector(rows[2].chunk[0], rows[3].chunk[0], 1, 5, 3, 7);
+    rows[0].chunk[0] = __builtin_shufflevector(even_01, even_23, 0, 1, 4, 5);
+    rows[1].chunk[0] = __builtin_shufflevector(odd_01, odd_23, 0, 1, 4, 5);
+    rows[2].chunk[0] = __builtin_shufflevector(even_01, even_23, 2, 3, 6, 7);
+    rows[3].chunk[0] = __builtin_shufflevector(odd_01, odd_23, 2, 3, 6, 7);
+  }
+}
+
+}  // namespace
+}  // namespace slidezone
