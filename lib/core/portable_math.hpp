@@ -14,6 +14,7 @@
 #include <bit>
 #include <concepts>
 #include <cstdint>
+#include <utility>
 
 #include "core/vector_loop.hpp"
 
@@ -25,26 +26,42 @@ inline constexpr double log_two = 0x1.62e42fefa39efp-1;
 /// Adding it to a double of less than 2^51 leaves the nearest integer in the lowest bits.
 inline constexpr double integer_shift = 0x1.8p52;
 
-/// a b + c: rounded twice, the same on every processor; or once where the instruction set can, which is faster.
-struct RoundedTwice {
+/// How sums of products are computed. Portable: a b + c is rounded twice, and the result has the same bits on every processor.
+struct Portable {
+  static constexpr bool in_halves = false;
   template <class Real>
   SLIDEZONE_INLINE static Real multiply_add(Real a, Real b, Real c) {
     return a * b + c;
   }
 };
+/// Fast: rounded once where the instruction set can, and polynomials as two chains of which neither waits for the other.
+struct Fast {
+  static constexpr bool in_halves = true;
 #if defined(__FMA__)
-struct RoundedOnce {
   SLIDEZONE_INLINE static double multiply_add(double a, double b, double c) { return __builtin_fma(a, b, c); }
   SLIDEZONE_INLINE static float multiply_add(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
-};
 #else
-using RoundedOnce = RoundedTwice;
+  template <class Real>
+  SLIDEZONE_INLINE static Real multiply_add(Real a, Real b, Real c) {
+    return a * b + c;
+  }
 #endif
+};
+
+/// A polynomial of an odd degree, odd and even powers apart; the coefficient of the highest power comes first.
+template <class Way, class Real, class... Lower>
+SLIDEZONE_INLINE Real polynomial_in_halves(Real x, Real odd, Real even, Lower... lower) {
+  static_assert(sizeof...(lower) % 2 == 0);
+  const Real square = x * x;
+  ((odd = Way::multiply_add(odd, square, static_cast<Real>(lower)), std::swap(odd, even)), ...);  // they take turns
+  return Way::multiply_add(odd, x, even);
+}
 
 /// A polynomial by Horner's rule; the coefficient of the highest power comes first.
-template <class Rounding = RoundedTwice, class Real, class... Lower>
+template <class Way = Portable, class Real, class... Lower>
 SLIDEZONE_INLINE Real polynomial(Real x, Real highest, Lower... lower) {
-  ((highest = Rounding::multiply_add(highest, x, static_cast<Real>(lower))), ...);
+  if constexpr (Way::in_halves) return polynomial_in_halves<Way>(x, highest, static_cast<Real>(lower)...);
+  ((highest = Way::multiply_add(highest, x, static_cast<Real>(lower))), ...);
   return highest;
 }
 
@@ -59,32 +76,32 @@ SLIDEZONE_INLINE double portable_log(double x) {
   return exponent * log_two + (2 * s + 2 * s * (t * series));
 }
 
-template <class Rounding = RoundedTwice>
+template <class Way = Portable>
 SLIDEZONE_INLINE double portable_exp(double x) {
   constexpr double log_two_high = 0x1.62e42fefa38p-1;  // 42 bits: its product with k is exact
   constexpr double log_two_low = 0x1.ef35793c7673p-45;
   x = std::min(std::max(x, -708.), 709.);
-  const double shifted = Rounding::multiply_add(x, 1 / log_two, integer_shift);
+  const double shifted = Way::multiply_add(x, 1 / log_two, integer_shift);
   const double k = shifted - integer_shift;
-  const double r = Rounding::multiply_add(k, -log_two_low, Rounding::multiply_add(k, -log_two_high, x));
+  const double r = Way::multiply_add(k, -log_two_low, Way::multiply_add(k, -log_two_high, x));
   // 1/13! ... 1/0!
-  const double series = polynomial<Rounding>(r, 1. / 6227020800, 1. / 479001600, 1. / 39916800, 1. / 3628800, 1. / 362880, 1. / 40320,
-                                             1. / 5040, 1. / 720, 1. / 120, 1. / 24, 1. / 6, 1. / 2, 1, 1);
+  const double series = polynomial<Way>(r, 1. / 6227020800, 1. / 479001600, 1. / 39916800, 1. / 3628800, 1. / 362880, 1. / 40320, 1. / 5040,
+                                        1. / 720, 1. / 120, 1. / 24, 1. / 6, 1. / 2, 1, 1);
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(series) + (std::bit_cast<std::uint64_t>(shifted) << 52));
 }
 
 /// The same with the 24 bits of a float, clamped to [exp(-87), exp(88)].
-template <class Rounding, std::same_as<float> Real>
+template <class Way, std::same_as<float> Real>
 SLIDEZONE_INLINE Real portable_exp(Real x) {
   constexpr float shift = 0x1.8p23f;
   constexpr float log_two_high = 0x1.62ep-1f;  // 12 bits: its product with k is exact
   constexpr float log_two_low = static_cast<float>(log_two - 0x1.62ep-1);
   x = std::min(std::max(x, -87.f), 88.f);
-  const float shifted = Rounding::multiply_add(x, static_cast<float>(1 / log_two), shift);
+  const float shifted = Way::multiply_add(x, static_cast<float>(1 / log_two), shift);
   const float k = shifted - shift;
-  const float r = Rounding::multiply_add(k, -log_two_low, Rounding::multiply_add(k, -log_two_high, x));
+  const float r = Way::multiply_add(k, -log_two_low, Way::multiply_add(k, -log_two_high, x));
   // 1/7! ... 1/0!
-  const float series = polynomial<Rounding>(r, 1.f / 5040, 1.f / 720, 1.f / 120, 1.f / 24, 1.f / 6, 1.f / 2, 1, 1);
+  const float series = polynomial<Way>(r, 1.f / 5040, 1.f / 720, 1.f / 120, 1.f / 24, 1.f / 6, 1.f / 2, 1, 1);
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(series) + (std::bit_cast<std::uint32_t>(shifted) << 23));
 }
 

@@ -91,7 +91,7 @@ using YieldSurface = YieldSurfaceOf<double>;
 template <class Real>
 SLIDEZONE_INLINE Real unsoftened_part(const SoilConstantsOf<Real>& soil, Real plastic_strain) {
   const Real beyond = plastic_strain - soil.softening_threshold;
-  return portable_exp<RoundedOnce>(-soil.softening_shape * (beyond > 0 ? beyond : 0));
+  return portable_exp<Fast>(-soil.softening_shape * (beyond > 0 ? beyond : 0));
 }
 
 template <SoilTraits traits, class Real>
