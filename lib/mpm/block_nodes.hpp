@@ -122,12 +122,14 @@ struct SlopeSums {
   }
   [[gnu::always_inline]] void give(Real* pairs, std::ptrdiff_t first_node, std::ptrdiff_t rows) {
     ValueSums<Real, 2> sums;
-    for (int k = 0; k < 3; ++k) {
-      sums.of[k][1] = sums.of[k][1] + low(first[k]);
-      sums.of[1][k] = sums.of[1][k] + high(first[k]);
-      sums.of[k][2] = sums.of[k][2] + low(second[k]);
-      sums.of[2][k] = sums.of[2][k] + high(second[k]);
-    }
+    sums.of[0][1] = low(first[0]);
+    sums.of[1][0] = high(first[0]);
+    sums.of[1][1] = low(first[1]) + high(first[1]);
+    sums.of[2][1] = low(first[2]) + high(second[1]);
+    sums.of[1][2] = high(first[2]) + low(second[1]);
+    sums.of[0][2] = low(second[0]);
+    sums.of[2][0] = high(second[0]);
+    sums.of[2][2] = low(second[2]) + high(second[2]);
     sums.give(pairs, first_node, rows);
     *this = {};
   }
