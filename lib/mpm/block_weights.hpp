@@ -32,7 +32,7 @@ using BlockFours = Real[4 * block_size];
 /// Shape functions of a block's points, struct of arrays.
 template <class Real>
 struct BlockWeights {
-  const Real *s_x, *s_y;
+  const Real *s_x, *s_y;  // where place() put them, as are the first nodes
   const int* first_node;
   Real q_x[block_size], r_x[block_size];
   Real q_y[block_size], r_y[block_size];
