@@ -133,8 +133,10 @@ const std::vector<Feature> features = {
 void add_all(const Scene& scene) {
   const Model whole = model_of(scene);
   const SoilTraits traits = soil_traits(whole);
-  const std::vector<std::pair<std::string, InstructionSet>> sets = {
-      {"baseline", InstructionSet::baseline}, {"AVX2", InstructionSet::avx2}, {"AVX-512", InstructionSet::avx512}};
+  const std::vector<std::pair<std::string, InstructionSet>> sets = {{"baseline", InstructionSet::baseline},
+                                                                    {"AVX2", InstructionSet::avx2},
+                                                                    {"AVX-512_in_halves", InstructionSet::avx512_in_halves},
+                                                                    {"AVX-512", InstructionSet::avx512}};
   Model single = whole;
   single.method.precision = Precision::single_precision;
   for (const auto& [name, set] : sets) {

@@ -42,7 +42,8 @@ template <class Real>
 /// Operations a second: the best of some runs of a millisecond.
 template <class Real>
 double peak_rate(InstructionSet set) {
-  constexpr double (*by_set[])(long, Real, Real) = {run_chains_baseline<Real>, run_chains_avx2<Real>, run_chains_avx512<Real>};
+  constexpr double (*by_set[])(long, Real, Real) = {run_chains_baseline<Real>, run_chains_avx2<Real>, run_chains_avx512<Real>,
+                                                    run_chains_avx512<Real>};
   using Clock = std::chrono::steady_clock;
   double best = 0;
   for (int attempt = 0; attempt < 30; ++attempt) {

@@ -76,7 +76,7 @@ setup() {
 @test "code for one instruction set shares no function with that for another" {
   # A function that two of them define would be linked once, perhaps the one that this processor cannot run.
   mapfile -t objects < <(find "$SLIDEZONE_BUILD" -path '*sweeps_*' -name '*.o')
-  assert_equal "${#objects[@]}" 6
+  assert_equal "${#objects[@]}" 7
   run nm --defined-only "${objects[@]}"
   assert_success
   refute_line --regexp ' [WVu] '

@@ -15,10 +15,10 @@ template <class Real>
   const Real* node_velocity = data.node_new_velocity;
   const std::ptrdiff_t rows = data.storage.rows;
   BlockFours<Real> of_points;
-  SlopeDifferences<Real> velocity;
-  gather_points(
-      block, weights.first_node, [&](int node) __attribute__((always_inline)) { velocity.load(node_velocity, node, rows); },
-      [&](int p) __attribute__((always_inline)) { (per_length * velocity.value(slope_weights(weights, p))).store(of_points + 4 * p); });
+  gather_points<Slopes<Real>>(
+      block, weights.first_node, node_velocity, rows, [&](int p, const auto& velocity) __attribute__((always_inline)) {
+        (per_length * velocity.value(weights, p)).store(of_points + 4 * p);
+      });
   separate(block, of_points, gradients.xy, gradients.yy, gradients.xx, gradients.yx);
 }
 
@@ -36,12 +36,10 @@ template <Damping damping, class Real>
   const std::ptrdiff_t rows = data.storage.rows;
   const Real step = static_cast<Real>(data.step);
   const Real grid_part = static_cast<Real>(data.grid_part);
-  Differences<Real, 4> motion;
   Pair<Real> damped{};
-  gather_points(
-      block, weights.first_node, [&](int node) __attribute__((always_inline)) { motion.load(node_motion, node, rows); },
-      [&](int p) __attribute__((always_inline)) {
-        const Four<Real> from_nodes = motion.value(weights.s_x[p], weights.q_x[p], weights.s_y[p], weights.q_y[p]);
+  gather_points<Values<Real>>(
+      block, weights.first_node, node_motion, rows, [&](int p, const auto& motion) __attribute__((always_inline)) {
+        const Four<Real> from_nodes = motion.value(weights, p);
         const Pair<Real> moving = high(from_nodes);
         const Pair<Real> free = Pair<Real>::load(velocity + 2 * p) + low(from_nodes);
         Pair<Real> now = free;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 
 #include "grid/gimp.hpp"
 #include "mpm/lanes.hpp"
@@ -127,46 +128,27 @@ template <class Real>
   weigh_along(weights.s_y, block, data.half_size_y, weights.q_y, weights.r_y);
 }
 
-/// Four numbers of each point, point after point, from one number of all points after the other.
+/// One number of all points after the other, from four numbers of each point, point after point.
 template <class Real>
-[[gnu::always_inline]] inline void interleave(FullBlock block, const Real* a, const Real* b, const Real* c, const Real* d,
-                                              BlockFours<Real>& of_points) {
-  for (int p = 0; p < block.count; p += 4) {
-    Four<Real> numbers[4] = {Four<Real>::load(a + p), Four<Real>::load(b + p), Four<Real>::load(c + p), Four<Real>::load(d + p)};
-    transpose(numbers);
-    for (int k = 0; k < 4; ++k) numbers[k].store(of_points + 4 * (p + k));
-  }
-}
-template <class Real>
-void interleave(LastBlock block, const Real* a, const Real* b, const Real* c, const Real* d, BlockFours<Real>& of_points) {
-  for (int p = 0; p < block.count; ++p) {
-    of_points[4 * p] = a[p];
-    of_points[4 * p + 1] = b[p];
-    of_points[4 * p + 2] = c[p];
-    of_points[4 * p + 3] = d[p];
-  }
-}
-
-/// The other way round.
-template <class Real>
-[[gnu::always_inline]] inline void separate(FullBlock block, const BlockFours<Real>& of_points, Real* a, Real* b, Real* c, Real* d) {
-  for (int p = 0; p < block.count; p += 4) {
-    Four<Real> numbers[4];
-    for (int k = 0; k < 4; ++k) numbers[k] = Four<Real>::load(of_points + 4 * (p + k));
-    transpose(numbers);
-    numbers[0].store(a + p);
-    numbers[1].store(b + p);
-    numbers[2].store(c + p);
-    numbers[3].store(d + p);
-  }
-}
-template <class Real>
-void separate(LastBlock block, const BlockFours<Real>& of_points, Real* a, Real* b, Real* c, Real* d) {
-  for (int p = 0; p < block.count; ++p) {
-    a[p] = of_points[4 * p];
-    b[p] = of_points[4 * p + 1];
-    c[p] = of_points[4 * p + 2];
-    d[p] = of_points[4 * p + 3];
+[[gnu::always_inline]] inline void separate(auto block, const BlockFours<Real>& of_points, Real* a, Real* b, Real* c, Real* d) {
+  if constexpr (std::is_same_v<decltype(block), FullBlock> && !eight_fit<Real>) {
+    for (int p = 0; p < block.count; p += 4) {
+      Four<Real> numbers[4];
+      for (int k = 0; k < 4; ++k) numbers[k] = Four<Real>::load(of_points + 4 * (p + k));
+      transpose(numbers);
+      numbers[0].store(a + p);
+      numbers[1].store(b + p);
+      numbers[2].store(c + p);
+      numbers[3].store(d + p);
+    }
+  } else {  // what the compiler makes of this is better than transposes where eight numbers fit a register
+#pragma GCC ivdep
+    for (int p = 0; p < block.count; ++p) {
+      a[p] = of_points[4 * p];
+      b[p] = of_points[4 * p + 1];
+      c[p] = of_points[4 * p + 2];
+      d[p] = of_points[4 * p + 3];
+    }
   }
 }
 

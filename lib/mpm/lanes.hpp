@@ -1,5 +1,6 @@
-// Two or four numbers side by side: the vector types of the sweeps. A pair is (x, y) of a point or a node; four are two such pairs, or
-// one number of four points. Four doubles are one register of AVX or two of baseline x86-64; the compiler's flags choose.
+// Two, four or eight numbers side by side: the vector types of the sweeps. A pair is (x, y) of a point or a node; four are two such pairs,
+// or one number of four points; eight are two fours, or four pairs. Four doubles are one register of AVX or two of baseline x86-64; the
+// compiler's flags choose. Eight must fit one register.
 // Included by sweeps.cpp alone.
 #pragma once
 
@@ -11,11 +12,16 @@
 namespace slidezone {
 namespace {  // compiled once per instruction set: no symbol may be shared between them
 
-#if defined(__AVX2__)
-constexpr int register_bytes = 32;
+#if defined(__AVX512F__) && !defined(SLIDEZONE_HALVED_REGISTERS)
+#define SLIDEZONE_REGISTER_BYTES 64
+#elif defined(__AVX2__)
+#define SLIDEZONE_REGISTER_BYTES 32
 #else
-constexpr int register_bytes = 16;
+#define SLIDEZONE_REGISTER_BYTES 16
 #endif
+constexpr int register_bytes = SLIDEZONE_REGISTER_BYTES;
+template <class Real>
+constexpr bool eight_fit = 8 * sizeof(Real) <= register_bytes;  // one register
 
 template <class Real, int lane_count>
 struct Lanes {
@@ -68,23 +74,26 @@ template <class Real, int n>
   return a;
 }
 
+#if defined(__FMA__)
+[[gnu::always_inline]] inline __m128d multiply_add(__m128d a, __m128d b, __m128d c) { return _mm_fmadd_pd(a, b, c); }
+[[gnu::always_inline]] inline __m256d multiply_add(__m256d a, __m256d b, __m256d c) { return _mm256_fmadd_pd(a, b, c); }
+[[gnu::always_inline]] inline __m128 multiply_add(__m128 a, __m128 b, __m128 c) { return _mm_fmadd_ps(a, b, c); }
+[[gnu::always_inline]] inline __m256 multiply_add(__m256 a, __m256 b, __m256 c) { return _mm256_fmadd_ps(a, b, c); }
+#if SLIDEZONE_REGISTER_BYTES == 64
+[[gnu::always_inline]] inline __m512d multiply_add(__m512d a, __m512d b, __m512d c) { return _mm512_fmadd_pd(a, b, c); }
+#endif
+#else
+template <class Chunk>
+[[gnu::always_inline]] inline Chunk multiply_add(Chunk a, Chunk b, Chunk c) {
+  return c + a * b;
+}
+#endif
+
 /// a b + c lane by lane, rounded once where the instruction set can. The compiler itself is not free to fuse (CMakeLists.txt): it would
 /// do so here and not there, and kernels that leave things out would differ in their last bits.
 template <class Real, int n>
 [[gnu::always_inline]] inline Lanes<Real, n> fused(Lanes<Real, n> a, Lanes<Real, n> b, Lanes<Real, n> c) {
-  using V = Lanes<Real, n>;
-  for (int k = 0; k < V::chunks; ++k) {
-#if defined(__FMA__)
-    if constexpr (std::is_same_v<Real, float>)
-      c.chunk[k] = _mm_fmadd_ps(a.chunk[k], b.chunk[k], c.chunk[k]);
-    else if constexpr (V::chunk_bytes == 32)
-      c.chunk[k] = _mm256_fmadd_pd(a.chunk[k], b.chunk[k], c.chunk[k]);
-    else
-      c.chunk[k] = _mm_fmadd_pd(a.chunk[k], b.chunk[k], c.chunk[k]);
-#else
-    c.chunk[k] += a.chunk[k] * b.chunk[k];
-#endif
-  }
+  for (int k = 0; k < Lanes<Real, n>::chunks; ++k) c.chunk[k] = multiply_add(a.chunk[k], b.chunk[k], c.chunk[k]);
   return c;
 }
 
@@ -159,6 +168,83 @@ template <class Real>
     rows[3].chunk[0] = __builtin_shufflevector(odd_01, odd_23, 2, 3, 6, 7);
   }
 }
+
+#if SLIDEZONE_REGISTER_BYTES >= 32
+
+// ---- eight, where they fit one register ---------------------------------------------------------------------------------
+
+template <class Real>
+using Eight = Lanes<Real, 8>;
+
+typedef double TwoFloats __attribute__((may_alias));
+
+/// A pair of floats, four times.
+[[gnu::always_inline]] inline Eight<float> four_times(const float* pair) {
+  return {{_mm256_castpd_ps(_mm256_set1_pd(*reinterpret_cast<const TwoFloats*>(pair)))}};
+}
+/// Four floats, twice.
+[[gnu::always_inline]] inline Eight<float> twice(const float* four) {
+  return {{_mm256_broadcast_ps(reinterpret_cast<const __m128*>(four))}};
+}
+/// The pair twice, each time with the third and the fourth of four floats.
+[[gnu::always_inline]] inline Eight<float> twice_with(const float* pair, Eight<float> third_and_fourth) {
+  return {{_mm256_blend_ps(third_and_fourth.chunk[0], four_times(pair).chunk[0], 0x33)}};
+}
+/// The last four of a, then b.
+[[gnu::always_inline]] inline Eight<float> last_four_and(Eight<float> a, Four<float> b) {
+  return {{_mm256_permute2f128_ps(a.chunk[0], _mm256_castps128_ps256(b.chunk[0]), 0x21)}};
+}
+
+#if SLIDEZONE_REGISTER_BYTES == 64
+constexpr __mmask8 all_lanes = 0xff;  // without it, GCC 12 warns of what its own header leaves undefined (GCC bug 105593)
+[[gnu::always_inline]] inline Eight<double> four_times(const double* pair) {
+  return {{_mm512_maskz_broadcast_f64x2(all_lanes, _mm_loadu_pd(pair))}};
+}
+[[gnu::always_inline]] inline Eight<double> twice(const double* four) {
+  return {{_mm512_maskz_broadcast_f64x4(all_lanes, _mm256_loadu_pd(four))}};
+}
+[[gnu::always_inline]] inline Eight<double> twice_with(const double* pair, Eight<double> third_and_fourth) {
+  return {{_mm512_mask_broadcast_f64x2(third_and_fourth.chunk[0], 0x33, _mm_loadu_pd(pair))}};
+}
+[[gnu::always_inline]] inline Eight<double> last_four_and(Eight<double> a, Four<double> b) {
+  return {{_mm512_maskz_shuffle_f64x2(all_lanes, a.chunk[0], _mm512_castpd256_pd512(b.chunk[0]), 0x4e)}};
+}
+#endif
+
+template <class Real>
+[[gnu::always_inline]] inline Four<Real> first_four(Eight<Real> eight) {
+  return {{__builtin_shufflevector(eight.chunk[0], eight.chunk[0], 0, 1, 2, 3)}};
+}
+
+/// The same number eight times, of which the first four are at hand as well: told nothing of it, the compiler would make them anew, at
+/// the port where the processor shuffles.
+template <class Real>
+[[gnu::always_inline]] inline Eight<Real> eight_times(Real number) {
+  auto all = number - typename Eight<Real>::Chunk{};
+  asm("" : "+v"(all));
+  return {{all}};
+}
+
+template <class Real>
+[[gnu::always_inline]] inline Four<Real> last_four(Eight<Real> eight) {
+  return {{__builtin_shufflevector(eight.chunk[0], eight.chunk[0], 4, 5, 6, 7)}};
+}
+
+/// All but the first two, then zeros.
+template <class Real>
+[[gnu::always_inline]] inline Eight<Real> without_first_pair(Eight<Real> eight) {
+  return {{__builtin_shufflevector(eight.chunk[0], typename Eight<Real>::Chunk{}, 2, 3, 4, 5, 6, 7, 8, 8)}};
+}
+
+/// The sums of the pairs of a, then of b.
+template <class Real>
+[[gnu::always_inline]] inline Four<Real> sums_of_pairs(Eight<Real> a, Eight<Real> b) {
+  const auto halves = __builtin_shufflevector(a.chunk[0], b.chunk[0], 0, 1, 2, 3, 8, 9, 10, 11) +
+                      __builtin_shufflevector(a.chunk[0], b.chunk[0], 4, 5, 6, 7, 12, 13, 14, 15);
+  return {{__builtin_shufflevector(halves, halves, 0, 1, 4, 5) + __builtin_shufflevector(halves, halves, 2, 3, 6, 7)}};
+}
+
+#endif
 
 }  // namespace
 }  // namespace slidezone

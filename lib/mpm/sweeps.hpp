@@ -63,7 +63,12 @@ struct SweepReport {
   bool is_broken = false;    // some point lies outside data.box, has no positive volume, or is not finite
 };
 
-enum class InstructionSet { baseline, avx2, avx512 };  // from the least on
+enum class InstructionSet {  // from the least on
+  baseline,
+  avx2,
+  avx512_in_halves,  // for processors that compute with one half of a register after the other: Zen 4
+  avx512
+};
 
 /// The best that this processor has.
 InstructionSet best_instruction_set();

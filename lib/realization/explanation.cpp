@@ -12,6 +12,8 @@ static std::string name_of(InstructionSet set) {
   switch (set) {
     case InstructionSet::avx512:
       return "AVX-512";
+    case InstructionSet::avx512_in_halves:
+      return "AVX-512 in halves";
     case InstructionSet::avx2:
       return "AVX2";
     case InstructionSet::baseline:
