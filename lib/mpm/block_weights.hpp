@@ -103,7 +103,10 @@ template <class Real>
                   data.s_y + block.first);
   int* first_node = data.first_node + block.first;
   for (int p = 0; p < block.count; ++p) first_node[p] = in_x.node[p] * data.storage.rows + in_y.node[p];
-  return {{in_x.low, in_x.high + reach, in_y.low, in_y.high + reach}, in_x.is_lost || in_y.is_lost};
+  const NodeBox box = {in_x.low, in_x.high + reach, in_y.low, in_y.high + reach};
+  for (int column = box.first_column; column < box.last_column; ++column)
+    if (data.column_ends[column] < box.last_row) data.column_ends[column] = box.last_row;
+  return {box, in_x.is_lost || in_y.is_lost};
 }
 
 template <class Real>

@@ -9,11 +9,28 @@ namespace slidezone {
 
 template <class Real>
 NodesOf<Real>::NodesOf(NodeStorage where)
-    : storage(where), sums(4 * where.count()), force(2 * where.count()), motion(4 * where.count()), new_velocity(2 * where.count()) {}
+    : storage(where),
+      sums(4 * where.count()),
+      force(2 * where.count()),
+      motion(4 * where.count()),
+      new_velocity(2 * where.count()),
+      ends(static_cast<std::size_t>(where.columns)) {}
 
-/// Calls act(first, count) for the run of nodes in each column of the box.
+/// Calls act(first, count) for the run of nodes in each column of the box, without most of those above what points reach. Full vectors,
+/// and one at least, which holds the base: so that sums over nodes do not depend on how far beyond the points they go.
 template <class Real, class Act>
 static void for_each_column(const NodesOf<Real>& nodes, const NodeBox& box, Act act) {
+  constexpr int vector_size = 64 / sizeof(Real);
+  for (int column = box.first_column; column < box.last_column; ++column) {
+    const int reached = nodes.ends[static_cast<std::size_t>(column)] - box.first_row;
+    const int in_vectors = std::max(1, (reached + vector_size - 1) / vector_size) * vector_size;
+    act(nodes.storage.index(column, box.first_row), static_cast<std::size_t>(std::min(in_vectors, box.last_row - box.first_row)));
+  }
+}
+
+/// The same for all nodes of the box.
+template <class Real, class Act>
+static void for_each_whole_column(const NodesOf<Real>& nodes, const NodeBox& box, Act act) {
   for (int column = box.first_column; column < box.last_column; ++column)
     act(nodes.storage.index(column, box.first_row), static_cast<std::size_t>(box.last_row - box.first_row));
 }
@@ -37,6 +54,7 @@ void clear_sums(NodesOf<Real>& nodes, const NodeBox& box) {
     clear(nodes.sums, 4 * first, 4 * count);
     clear(nodes.force, 2 * first, 2 * count);
   });
+  std::fill(nodes.ends.begin() + box.first_column, nodes.ends.begin() + box.last_column, 0);
 }
 
 template <class Real>
@@ -47,7 +65,7 @@ void clear_new_sums(NodesOf<Real>& nodes, const NodeBox& box) {
 template <class Real>
 std::vector<double> new_velocities_in(const NodesOf<Real>& nodes, const NodeBox& box) {
   std::vector<double> result;
-  for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
+  for_each_whole_column(nodes, box, [&](std::size_t first, std::size_t count) {
     const auto begin = nodes.new_velocity.begin() + static_cast<std::ptrdiff_t>(2 * first);
     result.insert(result.end(), begin, begin + static_cast<std::ptrdiff_t>(2 * count));
   });
@@ -57,7 +75,7 @@ std::vector<double> new_velocities_in(const NodesOf<Real>& nodes, const NodeBox&
 template <class Real>
 void set_new_velocities(NodesOf<Real>& nodes, const NodeBox& box, const std::vector<double>& velocities) {
   auto from = velocities.begin();
-  for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
+  for_each_whole_column(nodes, box, [&](std::size_t first, std::size_t count) {
     const auto next = from + static_cast<std::ptrdiff_t>(2 * count);
     std::transform(from, next, nodes.new_velocity.begin() + static_cast<std::ptrdiff_t>(2 * first),
                    [](double velocity) { return static_cast<Real>(velocity); });
@@ -310,6 +328,9 @@ static void touch_walls(NodesOf<Real>& nodes, const NodeBox& box, const NodeSett
 
 template <class Real>
 void fold_mass(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings) {
+  const auto end = [&](int column) -> int& { return nodes.ends[static_cast<std::size_t>(column)]; };
+  for (const int wall : {NodeStorage::padding, settings.grid.cells_x + NodeStorage::padding})  // what is folded reaches as far
+    end(wall - 1) = end(wall + 1) = std::max(end(wall - 1), end(wall + 1));
   for_each_image(nodes, box, settings, [&](std::size_t behind, std::size_t before, Mirror) {
     nodes.sums[mass_of(before)] += nodes.sums[mass_of(behind)];
     nodes.sums[mass_of(behind)] = 0;

@@ -38,6 +38,7 @@ struct NodesOf {
   NodeNumbers<Real> force;         // pairs (x, y): internal force, N/m
   NodeNumbers<Real> motion;        // four a node: change of velocity over the step (x, y), and velocity after it, m/s
   NodeNumbers<Real> new_velocity;  // pairs (x, y), m/s, of the moved points; summed as their momentum
+  std::vector<int> ends;           // by column: the row after those that points have reached since clear_sums; sums beyond are 0
   std::vector<NodeFriction> frictions;
 };
 
@@ -67,7 +68,7 @@ struct ContactNormals {
   std::vector<Vec2> below;
 };
 
-/// Clears the sums of sweep A, or of sweep B, in the box.
+/// Clears the sums of sweep A, as if points had reached no node, or those of sweep B, in the box.
 template <class Real>
 void clear_sums(NodesOf<Real>& nodes, const NodeBox& box);
 template <class Real>

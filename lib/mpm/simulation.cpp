@@ -394,6 +394,7 @@ class Run {
             .node_motion = nodes_.motion.data(),
             .node_new_momentum = nodes_.new_velocity.data(),
             .node_new_velocity = nodes_.new_velocity.data(),
+            .column_ends = nodes_.ends.data(),
             .dilation = dilation_ ? &dilation_view_ : nullptr,
             .storage = nodes_.storage,
             .box = box_,

@@ -46,6 +46,7 @@ struct SweepData {
   const Real* node_motion;        // read by sweep B
   Real* node_new_momentum;        // written by sweep B
   const Real* node_new_velocity;  // read by the next sweep A
+  int* column_ends;               // by column, the row after those that points reach; grows whenever points are placed
   Dilation<Real>* dilation;       // for AntiLocking::b_bar alone
   NodeStorage storage;
   NodeBox box;  // the nodes that points may reach; they are zeroed before sweep A
