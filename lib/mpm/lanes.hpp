@@ -182,10 +182,6 @@ typedef double TwoFloats __attribute__((may_alias));
 [[gnu::always_inline]] inline Eight<float> four_times(const float* pair) {
   return {{_mm256_castpd_ps(_mm256_set1_pd(*reinterpret_cast<const TwoFloats*>(pair)))}};
 }
-/// Four floats, twice.
-[[gnu::always_inline]] inline Eight<float> twice(const float* four) {
-  return {{_mm256_broadcast_ps(reinterpret_cast<const __m128*>(four))}};
-}
 /// The pair twice, each time with the third and the fourth of four floats.
 [[gnu::always_inline]] inline Eight<float> twice_with(const float* pair, Eight<float> third_and_fourth) {
   return {{_mm256_blend_ps(third_and_fourth.chunk[0], four_times(pair).chunk[0], 0x33)}};
@@ -196,12 +192,9 @@ typedef double TwoFloats __attribute__((may_alias));
 }
 
 #if SLIDEZONE_REGISTER_BYTES == 64
-constexpr __mmask8 all_lanes = 0xff;  // without it, GCC 12 warns of what its own header leaves undefined (GCC bug 105593)
+constexpr __mmask8 all_lanes = 0xff;  // GCC 12 warns of what its own header leaves undefined in forms without a mask (GCC bug 105593)
 [[gnu::always_inline]] inline Eight<double> four_times(const double* pair) {
   return {{_mm512_maskz_broadcast_f64x2(all_lanes, _mm_loadu_pd(pair))}};
-}
-[[gnu::always_inline]] inline Eight<double> twice(const double* four) {
-  return {{_mm512_maskz_broadcast_f64x4(all_lanes, _mm256_loadu_pd(four))}};
 }
 [[gnu::always_inline]] inline Eight<double> twice_with(const double* pair, Eight<double> third_and_fourth) {
   return {{_mm512_mask_broadcast_f64x2(third_and_fourth.chunk[0], 0x33, _mm_loadu_pd(pair))}};

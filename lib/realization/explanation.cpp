@@ -63,7 +63,7 @@ std::string explanation(const Model& model, bool has_sample, const Provenance& p
 
   part("material points", std::to_string(model.points.count()), "of the initial lattice inside the slope");
   part("grid", std::to_string(model.grid.cells_x) + " x " + std::to_string(model.grid.cells_y),
-       "of which each step visits the box that points reach");
+       "of which each step visits the columns that points reach, up to some nodes above");
   part("time step", format_brief(step, 6) + " s", format_brief(step / step_limit(model), 3) + " of the stability limit");
   part("steps", format_brief(steps, 15),
        std::string("at most; ") + (model.time.rest ? "the rest rule may end the run before" : "there is no rest rule"));
