@@ -28,26 +28,62 @@ template <class Real>
   return {data.xx + block.first, data.yy + block.first, data.xy + block.first};
 }
 
-/// Internal force -V stress . grad N, to the nodes.
+/// Internal force of a block's points, -V stress . grad N, as pairs that go by the slopes of N.
 template <class Real>
-[[gnu::always_inline]] inline void map_force(const SweepData<Real>& data, auto block, const BlockWeights<Real>& weights,
-                                             BlockStress<Real> stress) {
+struct BlockForce {
+  BlockPairs<Real> by_x, by_y;  // -V / h_x (s_xx, s_xy), -V / h_y (s_xy, s_yy)
+};
+
+template <class Real>
+[[gnu::always_inline]] inline void find_force(const SweepData<Real>& data, auto block, BlockStress<Real> stress, BlockForce<Real>& force) {
   const Real* volume = data.volume + block.first;
   const Real per_x = static_cast<Real>(1 / data.grid.cell_x);
   const Real per_y = static_cast<Real>(1 / data.grid.cell_y);
-  BlockPairs<Real> by_x, by_y;  // -V / h_x (s_xx, s_xy), -V / h_y (s_xy, s_yy)
 #pragma GCC ivdep
   for (int p = 0; p < block.count; ++p) {
-    const Real force_x = -volume[p] * per_x;
-    const Real force_y = -volume[p] * per_y;
-    by_x[2 * p] = force_x * stress.xx[p];
-    by_x[2 * p + 1] = force_x * stress.xy[p];
-    by_y[2 * p] = force_y * stress.xy[p];
-    by_y[2 * p + 1] = force_y * stress.yy[p];
+    const Real along_x = -volume[p] * per_x;
+    const Real along_y = -volume[p] * per_y;
+    force.by_x[2 * p] = along_x * stress.xx[p];
+    force.by_x[2 * p + 1] = along_x * stress.xy[p];
+    force.by_y[2 * p] = along_y * stress.xy[p];
+    force.by_y[2 * p + 1] = along_y * stress.yy[p];
   }
+}
+
+/// Internal force, to the nodes.
+template <class Real>
+[[gnu::always_inline]] inline void map_force(const SweepData<Real>& data, auto block, const BlockWeights<Real>& weights,
+                                             BlockStress<Real> stress) {
+  BlockForce<Real> force;
+  find_force(data, block, stress, force);
   give_to_nodes<SlopeSums<Real>>(
-      block, weights.first_node, data.node_force,
-      data.storage.rows, [&](int p, auto& sums) __attribute__((always_inline)) { sums.add(weights, p, by_x + 2 * p, by_y + 2 * p); });
+      block, weights.first_node, data.node_force, data.storage.rows, [&](int p, auto& sums) __attribute__((always_inline)) {
+        sums.add(weights, p, force.by_x + 2 * p, force.by_y + 2 * p);
+      });
+}
+
+/// Momentum, mass and internal force, to the nodes.
+template <class Real>
+[[gnu::always_inline]] inline void map_all(const SweepData<Real>& data, auto block, const BlockWeights<Real>& weights,
+                                           BlockStress<Real> stress) {
+  if constexpr (eight_fit<Real>) {
+    const Real* velocity = data.velocity + 2 * block.first;
+    const Real* mass = data.mass + block.first;
+    Real mass_of_third[block_size];
+    BlockForce<Real> force;
+    find_force(data, block, stress, force);
+#pragma GCC ivdep
+    for (int p = 0; p < block.count; ++p) mass_of_third[p] = mass[p] * weights.q_y[p];
+    using Sums = MomentumAndForceSums<Real>;
+    give_to_nodes<Sums>(
+        block, weights.first_node, typename Sums::Target{data.node_sums, data.node_force},
+        data.storage.rows, [&](int p, auto& sums) __attribute__((always_inline)) {
+          sums.add(weights, p, velocity + 2 * p, mass[p], mass_of_third[p], force.by_x + 2 * p, force.by_y + 2 * p);
+        });
+  } else {
+    map_mass_and_momentum(data, block, weights);
+    map_force(data, block, weights, stress);
+  }
 }
 
 /// Momentum of moved points to the nodes, for the second time in a step.

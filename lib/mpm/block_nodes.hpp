@@ -32,13 +32,14 @@ using Values = std::conditional_t<eight_fit<Real>, by_column::Values<Real>, by_n
 template <class Real>
 using Slopes = std::conditional_t<eight_fit<Real>, by_column::Slopes<Real>, by_node::Slopes<Real>>;
 template <class Real>
-using MomentumSums = std::conditional_t<eight_fit<Real>, by_column::MomentumSums<Real>, by_node::MomentumSums<Real>>;
-template <class Real>
 using PairSums = std::conditional_t<eight_fit<Real>, by_column::PairSums<Real>, by_node::PairSums<Real>>;
-template <class Real>
-using SlopeSums = std::conditional_t<eight_fit<Real>, by_column::SlopeSums<Real>, by_node::SlopeSums<Real>>;
+using by_column::MomentumAndForceSums;  // where eight numbers fit a register
+using by_node::MomentumSums;
+using by_node::SlopeSums;
 #else
 using namespace by_node;
+template <class Real>
+struct MomentumAndForceSums;
 #endif
 
 /// act(p, from_nodes) for all points of a block, where `from_nodes` holds the numbers of the nodes that point p reaches.
@@ -56,9 +57,9 @@ template <class FromNodes, class Real, class Act>
   }
 }
 
-/// add(p, sums) for all points of a block, whose sums go to the numbers of the nodes.
-template <class Sums, class Real, class Add>
-[[gnu::always_inline]] inline void give_to_nodes(auto block, const int* first_node, Real* numbers, std::ptrdiff_t rows, Add add) {
+/// add(p, sums) for all points of a block, whose sums go to numbers of the nodes.
+template <class Sums, class Numbers, class Add>
+[[gnu::always_inline]] inline void give_to_nodes(auto block, const int* first_node, Numbers numbers, std::ptrdiff_t rows, Add add) {
   Sums sums;
   int now = first_node[0];
   for (int p = 0; p < block.count; ++p) {

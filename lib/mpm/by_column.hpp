@@ -27,7 +27,7 @@ struct Column<Real, 2> {
   [[gnu::always_inline]] static Column load(const Real* numbers) { return {Eight<Real>::load(numbers)}; }
   [[gnu::always_inline]] void store(Real* numbers) const { nodes.store(numbers); }
   [[gnu::always_inline]] Pair<Real> lowest() const { return low(first_four(nodes)); }
-  [[gnu::always_inline]] Column without_lowest() const { return {without_first_pair(nodes)}; }
+  [[gnu::always_inline]] Column without_lowest() const { return {chosen<2, 3, 4, 5, 6, 7, 8, 8>(nodes, {})}; }
 
   [[gnu::always_inline]] static Column weights(const BlockWeights<Real>& weights, int p) {
     const Column of_one = {{{1, 1, 0, 0, 0, 0, 0, 0}}};
@@ -60,9 +60,6 @@ struct Column<Real, 4> {
     two_nodes.store(numbers);
     third.store(numbers + 8);
   }
-  [[gnu::always_inline]] Four<Real> lowest() const { return first_four(two_nodes); }
-  [[gnu::always_inline]] Column without_lowest() const { return {last_four_and(two_nodes, third), {}}; }
-
   [[gnu::always_inline]] static Column weights(const BlockWeights<Real>& weights, int p) {
     const Eight<Real> of_one = {{{1, 1, 1, 1, 0, 0, 0, 0}}};
     const Eight<Real> of_s = {{{-1, -1, -1, -1, 1, 1, 1, 1}}};
@@ -70,13 +67,6 @@ struct Column<Real, 4> {
     const Eight<Real> q = eight_times(weights.q_y[p]);
     return {fused(q, of_q, fused(weights.s_y[p], of_s, of_one)), first_four(q)};
   }
-  /// (mass v_x, mass v_y, mass, 0)
-  [[gnu::always_inline]] static Column of_momentum(const Real* velocity, Real mass) {
-    const Eight<Real> ones = {{{1, 0, 1, 0, 1, 0, 1, 0}}};
-    const Eight<Real> momenta = mass * twice_with(velocity, ones);
-    return {momenta, first_four(momenta)};
-  }
-
   [[gnu::always_inline]] friend Column operator+(Column a, Column b) { return {a.two_nodes + b.two_nodes, a.third + b.third}; }
   [[gnu::always_inline]] friend Column operator-(Column a, Column b) { return {a.two_nodes - b.two_nodes, a.third - b.third}; }
   [[gnu::always_inline]] friend Column operator*(Column a, Column b) { return {a.two_nodes * b.two_nodes, a.third * b.third}; }
@@ -126,76 +116,108 @@ struct Slopes : Differences<Real, 2> {
   }
 };
 
-/// Sums over points of X_a g, for columns of nodes.
-template <class Real, int n>
-struct Sums {
-  Column<Real, n> of[3]{};
+/// Sums of X_a g, for the nodes of three columns.
+template <class Part>
+[[gnu::always_inline]] inline void to_nodes(Part (&sums)[3]) {
+  const Part rest = sums[1] - sums[2];
+  sums[0] = sums[0] - rest;
+  sums[1] = rest - sums[2];
+}
 
-  template <class Part>
-  [[gnu::always_inline]] static void to_nodes(Part& a, Part& b, Part& c) {
-    const Part rest = b - c;
-    a = a - rest;
-    b = rest - c;
+/// Adds sums of X_a g to the numbers of nodes, `n` a node: those that a Part holds, in each of three columns.
+template <int n, class Part, class Real>
+[[gnu::always_inline]] inline void add_to_nodes(Part (&sums)[3], Real* numbers, std::ptrdiff_t first_node, std::ptrdiff_t rows) {
+  to_nodes(sums);
+  for (int a = 0; a < 3; ++a) {
+    Real* of_column = numbers + n * (first_node + a * rows);
+    (Part::load(of_column) + sums[a]).store(of_column);
   }
-  template <class Part>
-  [[gnu::always_inline]] static void add_to(Real* numbers, Part part) {
-    (Part::load(numbers) + part).store(numbers);
+}
+
+/// Sums of pairs: X_a N g, for columns of nodes.
+template <class Real>
+struct PairSums {
+  Column<Real, 2> of[3]{};
+
+  [[gnu::always_inline]] void add(const BlockWeights<Real>& weights, int p, const Real* pair) {
+    const Column<Real, 2> gift = Column<Real, 2>::repeated(pair) * Column<Real, 2>::weights(weights, p);
+    of[0] = of[0] + gift;
+    of[1] = fused(weights.s_x[p], gift, of[1]);
+    of[2] = fused(weights.q_x[p], gift, of[2]);
   }
-  /// Adds to the numbers of the nodes, and begins anew.
-  [[gnu::always_inline]] void give(Real* numbers, std::ptrdiff_t first_node, std::ptrdiff_t rows) {
-    to_nodes(of[0], of[1], of[2]);
-    for (int a = 0; a < 3; ++a) add_to(numbers + n * (first_node + a * rows), of[a]);
+  /// Adds to the pairs of the nodes, and begins anew.
+  [[gnu::always_inline]] void give(Real* pairs, std::ptrdiff_t first_node, std::ptrdiff_t rows) {
+    add_to_nodes<2>(of, pairs, first_node, rows);
     *this = {};
   }
   /// Gives as far as points with another first node do not go on.
-  [[gnu::always_inline]] void move_on(Real* numbers, std::ptrdiff_t first_node, std::ptrdiff_t next, std::ptrdiff_t rows) {
-    if (next != first_node + 1) return give(numbers, first_node, rows);
-    Lanes<Real, n> lowest[3];
+  [[gnu::always_inline]] void move_on(Real* pairs, std::ptrdiff_t first_node, std::ptrdiff_t next, std::ptrdiff_t rows) {
+    if (next != first_node + 1) return give(pairs, first_node, rows);
+    Pair<Real> lowest[3];
     for (int a = 0; a < 3; ++a) {
       lowest[a] = of[a].lowest();
       of[a] = of[a].without_lowest();
     }
-    to_nodes(lowest[0], lowest[1], lowest[2]);
-    for (int a = 0; a < 3; ++a) add_to(numbers + n * (first_node + a * rows), lowest[a]);
+    add_to_nodes<2>(lowest, pairs, first_node, rows);
   }
 };
 
-/// Sums of N g.
-template <class Real, int n>
-struct ValueSums : Sums<Real, n> {
-  [[gnu::always_inline]] void add(const BlockWeights<Real>& weights, int p, Column<Real, n> gift) {
-    gift = gift * Column<Real, n>::weights(weights, p);
-    this->of[0] = this->of[0] + gift;
-    this->of[1] = fused(weights.s_x[p], gift, this->of[1]);
-    this->of[2] = fused(weights.q_x[p], gift, this->of[2]);
-  }
-};
-
-/// Sums of momentum and mass.
+/// Sums of momentum and mass, four a node, and of pairs that go by slopes: by_x by h_x dN/dx, by_y by h_y dN/dy.
 template <class Real>
-struct MomentumSums : ValueSums<Real, 4> {
-  [[gnu::always_inline]] void add(const BlockWeights<Real>& weights, int p, const Real* velocity, Real mass) {
-    ValueSums<Real, 4>::add(weights, p, Column<Real, 4>::of_momentum(velocity, mass));
-  }
-};
+struct MomentumAndForceSums {
+  struct Target {
+    Real* momentum;
+    Real* force;
+  };
+  // With lanes 6 and 7, which pairs of three nodes leave over, for the masses.
+  Eight<Real> momentum[3]{};  // X_a N m v, then X_a N m of the lower two nodes
+  Eight<Real> by_y[3]{};      // X_a h_y dN/dy by_y, then X_a N m of the third node, and 0
+  Eight<Real> by_x[2]{};      // of dX_1 and dX_2, that is 1 and r_x: N by_x, then nothing of use
 
-/// Sums of pairs.
-template <class Real>
-struct PairSums : ValueSums<Real, 2> {
-  [[gnu::always_inline]] void add(const BlockWeights<Real>& weights, int p, const Real* pair) {
-    ValueSums<Real, 2>::add(weights, p, Column<Real, 2>::repeated(pair));
+  /// `mass_of_third`: mass times the weight of the third node along y.
+  [[gnu::always_inline]] void add(const BlockWeights<Real>& weights, int p, const Real* velocity, Real mass, Real mass_of_third,
+                                  const Real* force_by_x, const Real* force_by_y) {
+    const Eight<Real> of_one = {{{1, 1, 0, 0, 0, 0, 1, 0}}};
+    const Eight<Real> of_s = {{{-1, -1, 1, 1, 0, 0, -1, 1}}};
+    const Eight<Real> of_q = {{{1, 1, -2, -2, 1, 1, 1, -2}}};
+    const Eight<Real> ones = {{{1, 1, 1, 1, 1, 1, 1, 1}}};
+    const Eight<Real> here = fused(weights.q_y[p], of_q, fused(weights.s_y[p], of_s, of_one));
+    const Eight<Real> gift = (mass * with_three_times(ones, velocity)) * here;
+    momentum[0] = momentum[0] + gift;
+    momentum[1] = fused(weights.s_x[p], gift, momentum[1]);
+    momentum[2] = fused(weights.q_x[p], gift, momentum[2]);
+    const Eight<Real> along_x = four_times(force_by_x) * here;
+    const Eight<Real> along_y = with_seventh(four_times(force_by_y) * Column<Real, 2>::slopes(weights, p).nodes, mass_of_third);
+    by_x[0] = by_x[0] + along_x;
+    by_x[1] = fused(weights.r_x[p], along_x, by_x[1]);
+    by_y[0] = by_y[0] + along_y;
+    by_y[1] = fused(weights.s_x[p], along_y, by_y[1]);
+    by_y[2] = fused(weights.q_x[p], along_y, by_y[2]);
   }
-};
-
-/// Sums of pairs that go by slopes: by_x by h_x dN/dx, by_y by h_y dN/dy.
-template <class Real>
-struct SlopeSums : Sums<Real, 2> {
-  [[gnu::always_inline]] void add(const BlockWeights<Real>& weights, int p, const Real* by_x, const Real* by_y) {
-    const Column<Real, 2> along_x = Column<Real, 2>::repeated(by_x) * Column<Real, 2>::weights(weights, p);
-    const Column<Real, 2> along_y = Column<Real, 2>::repeated(by_y) * Column<Real, 2>::slopes(weights, p);
-    this->of[0] = this->of[0] + along_y;
-    this->of[1] = this->of[1] + fused(weights.s_x[p], along_y, along_x);  // one chain of sums would be twice as long
-    this->of[2] = this->of[2] + fused(weights.r_x[p], along_x, weights.q_x[p] * along_y);
+  [[gnu::always_inline]] void give(Target nodes, std::ptrdiff_t first_node, std::ptrdiff_t rows) {
+    Column<Real, 4> with_mass[3];
+    for (int a = 0; a < 3; ++a)
+      with_mass[a] = {chosen<0, 1, 6, 15, 2, 3, 7, 15>(momentum[a], by_y[a]), chosen<4, 5, 14, 15>(momentum[a], by_y[a])};
+    add_to_nodes<4>(with_mass, nodes.momentum, first_node, rows);
+    Eight<Real> force[3] = {by_y[0], by_y[1] + by_x[0], by_y[2] + by_x[1]};
+    for (Eight<Real>& of_column : force) of_column = chosen<0, 1, 2, 3, 4, 5, 8, 8>(of_column, Eight<Real>{});
+    add_to_nodes<2>(force, nodes.force, first_node, rows);
+    *this = {};
+  }
+  [[gnu::always_inline]] void move_on(Target nodes, std::ptrdiff_t first_node, std::ptrdiff_t next, std::ptrdiff_t rows) {
+    if (next != first_node + 1) return give(nodes, first_node, rows);
+    Four<Real> with_mass[3];
+    Pair<Real> force[3];
+    for (int a = 0; a < 3; ++a) {
+      with_mass[a] = chosen<0, 1, 6, 15>(momentum[a], by_y[a]);
+      momentum[a] = chosen<2, 3, 4, 5, 15, 15, 7, 14>(momentum[a], by_y[a]);
+      if (a > 0) by_y[a] = by_y[a] + by_x[a - 1];
+      force[a] = low(first_four(by_y[a]));
+      by_y[a] = chosen<2, 3, 4, 5, 8, 8, 8, 8>(by_y[a], Eight<Real>{});
+    }
+    by_x[0] = by_x[1] = {};
+    add_to_nodes<4>(with_mass, nodes.momentum, first_node, rows);
+    add_to_nodes<2>(force, nodes.force, first_node, rows);
   }
 };
 

@@ -182,13 +182,13 @@ typedef double TwoFloats __attribute__((may_alias));
 [[gnu::always_inline]] inline Eight<float> four_times(const float* pair) {
   return {{_mm256_castpd_ps(_mm256_set1_pd(*reinterpret_cast<const TwoFloats*>(pair)))}};
 }
-/// The pair twice, each time with the third and the fourth of four floats.
-[[gnu::always_inline]] inline Eight<float> twice_with(const float* pair, Eight<float> third_and_fourth) {
-  return {{_mm256_blend_ps(third_and_fourth.chunk[0], four_times(pair).chunk[0], 0x33)}};
+/// Eight numbers, the first six replaced by a pair, three times.
+[[gnu::always_inline]] inline Eight<float> with_three_times(Eight<float> eight, const float* pair) {
+  return {{_mm256_blend_ps(eight.chunk[0], four_times(pair).chunk[0], 0x3f)}};
 }
-/// The last four of a, then b.
-[[gnu::always_inline]] inline Eight<float> last_four_and(Eight<float> a, Four<float> b) {
-  return {{_mm256_permute2f128_ps(a.chunk[0], _mm256_castps128_ps256(b.chunk[0]), 0x21)}};
+/// Eight numbers, the seventh replaced.
+[[gnu::always_inline]] inline Eight<float> with_seventh(Eight<float> eight, float number) {
+  return {{_mm256_blend_ps(eight.chunk[0], number - Eight<float>::Chunk{}, 0x40)}};
 }
 
 #if SLIDEZONE_REGISTER_BYTES == 64
@@ -196,13 +196,19 @@ constexpr __mmask8 all_lanes = 0xff;  // GCC 12 warns of what its own header lea
 [[gnu::always_inline]] inline Eight<double> four_times(const double* pair) {
   return {{_mm512_maskz_broadcast_f64x2(all_lanes, _mm_loadu_pd(pair))}};
 }
-[[gnu::always_inline]] inline Eight<double> twice_with(const double* pair, Eight<double> third_and_fourth) {
-  return {{_mm512_mask_broadcast_f64x2(third_and_fourth.chunk[0], 0x33, _mm_loadu_pd(pair))}};
+[[gnu::always_inline]] inline Eight<double> with_three_times(Eight<double> eight, const double* pair) {
+  return {{_mm512_mask_broadcast_f64x2(eight.chunk[0], 0x3f, _mm_loadu_pd(pair))}};
 }
-[[gnu::always_inline]] inline Eight<double> last_four_and(Eight<double> a, Four<double> b) {
-  return {{_mm512_maskz_shuffle_f64x2(all_lanes, a.chunk[0], _mm512_castpd256_pd512(b.chunk[0]), 0x4e)}};
+[[gnu::always_inline]] inline Eight<double> with_seventh(Eight<double> eight, double number) {
+  return {{_mm512_mask_broadcastsd_pd(eight.chunk[0], 0x40, _mm_set_sd(number))}};
 }
 #endif
+
+/// Lanes of a, counted from 0, and of b, counted from 8, in this order.
+template <int... lane, class Real>
+[[gnu::always_inline]] inline Lanes<Real, sizeof...(lane)> chosen(Eight<Real> a, std::type_identity_t<Eight<Real>> b) {
+  return {{__builtin_shufflevector(a.chunk[0], b.chunk[0], lane...)}};
+}
 
 template <class Real>
 [[gnu::always_inline]] inline Four<Real> first_four(Eight<Real> eight) {
@@ -221,12 +227,6 @@ template <class Real>
 template <class Real>
 [[gnu::always_inline]] inline Four<Real> last_four(Eight<Real> eight) {
   return {{__builtin_shufflevector(eight.chunk[0], eight.chunk[0], 4, 5, 6, 7)}};
-}
-
-/// All but the first two, then zeros.
-template <class Real>
-[[gnu::always_inline]] inline Eight<Real> without_first_pair(Eight<Real> eight) {
-  return {{__builtin_shufflevector(eight.chunk[0], typename Eight<Real>::Chunk{}, 2, 3, 4, 5, 6, 7, 8, 8)}};
 }
 
 /// The sums of the pairs of a, then of b.

@@ -70,8 +70,7 @@ SweepReport update_and_map(const SweepData<Real>& data) {
     join(report, place(data, block));
     if constexpr (map == Map::yes) {
       weigh(data, block, weights);
-      map_mass_and_momentum(data, block, weights);
-      map_force(data, block, weights, stress_of(data, block));
+      map_all(data, block, weights, stress_of(data, block));
     }
   });
   return report;
@@ -111,8 +110,7 @@ void map_with_mean_stress(const SweepData<Real>& data) {
     MeanStress<Real> mean;
     weigh(data, block, weights);
     mean_stress(data, block, mean);
-    map_mass_and_momentum(data, block, weights);
-    map_force(data, block, weights, BlockStress<Real>{mean.xx, mean.yy, data.xy + block.first});
+    map_all(data, block, weights, BlockStress<Real>{mean.xx, mean.yy, data.xy + block.first});
   });
 }
 
