@@ -88,6 +88,7 @@ template <class Real>
 /// The nodes that a block's points reach, beside their weights.
 struct Reached {
   NodeBox box;
+  int out_of_order;
   bool is_lost;
 };
 
@@ -103,10 +104,12 @@ template <class Real>
                   data.s_y + block.first);
   int* first_node = data.first_node + block.first;
   for (int p = 0; p < block.count; ++p) first_node[p] = in_x.node[p] * data.storage.rows + in_y.node[p];
+  int out_of_order = 0;
+  for (int p = 1; p < block.count; ++p) out_of_order += first_node[p] < first_node[p - 1] ? 1 : 0;
   const NodeBox box = {in_x.low, in_x.high + reach, in_y.low, in_y.high + reach};
   for (int column = box.first_column; column < box.last_column; ++column)
     if (data.column_ends[column] < box.last_row) data.column_ends[column] = box.last_row;
-  return {box, in_x.is_lost || in_y.is_lost};
+  return {box, out_of_order, in_x.is_lost || in_y.is_lost};
 }
 
 template <class Real>

@@ -1,24 +1,20 @@
 #include "mpm/point_order.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace slidezone {
 
-int first_node(double place, double cell, double half, int count) {
-  return static_cast<int>(std::clamp(place / cell - half + NodeStorage::padding, 0.0, count - 1.0));
-}
-
-template <class Real>
-std::vector<int> order_by_node(const PointsOf<Real>& points, const NodeStorage& storage, const GridShape& grid, HalfSize half) {
-  const auto node_of = [&](std::size_t p) {
-    return storage.index(first_node(points.x[p], grid.cell_x, half.x, storage.columns),
-                         first_node(points.y[p], grid.cell_y, half.y, storage.rows));
-  };
-  std::vector<int> place(storage.count() + 1, 0);
-  for (std::size_t p = 0; p < points.count(); ++p) ++place[node_of(p) + 1];
-  for (std::size_t node = 1; node < place.size(); ++node) place[node] += place[node - 1];
-  std::vector<int> order(points.count());
-  for (std::size_t p = 0; p < points.count(); ++p) order[static_cast<std::size_t>(place[node_of(p)]++)] = static_cast<int>(p);
+std::vector<int> order_by_node(const std::vector<int>& first_nodes) {
+  const auto [low, high] = std::minmax_element(first_nodes.begin(), first_nodes.end());
+  const int least = *low;
+  const auto number_of = [least](int node) { return static_cast<std::size_t>(node - least); };
+  std::vector<int> place(number_of(*high) + 2, 0);
+  for (const int node : first_nodes) ++place[number_of(node) + 1];
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::vector<int> order(first_nodes.size());
+  int p = 0;
+  for (const int node : first_nodes) order[static_cast<std::size_t>(place[number_of(node)]++)] = p++;
   return order;
 }
 
@@ -29,8 +25,6 @@ std::vector<int> order_by_label(const PointsOf<Real>& points) {
   return order;
 }
 
-template std::vector<int> order_by_node(const PointsOf<double>&, const NodeStorage&, const GridShape&, HalfSize);
-template std::vector<int> order_by_node(const PointsOf<float>&, const NodeStorage&, const GridShape&, HalfSize);
 template std::vector<int> order_by_label(const PointsOf<double>&);
 template std::vector<int> order_by_label(const PointsOf<float>&);
 

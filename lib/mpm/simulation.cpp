@@ -22,7 +22,10 @@ namespace {
 /// Every soil that some point has.
 const std::vector<Material>& materials(const Model& model) { return model.point_soils.empty() ? model.soils : model.point_soils; }
 
-constexpr std::uint64_t sort_interval = 50;  // steps
+/// Points are sorted once more than this part of them is out of order: sorting takes as long as a third of a step.
+constexpr double bearable_disorder = 1.0 / 32;
+/// Large runs, which are divided into strips whenever their points are sorted, can be resumed where that is due.
+constexpr std::uint64_t division_interval = 50;  // steps
 
 template <class Real>
 double kinetic_energy(const PointsOf<Real>& points) {
@@ -147,12 +150,15 @@ class Run {
     }
     box_ = {0, nodes_.storage.columns - 1, 0, nodes_.storage.rows - 1};
     box_ = sweeps_.place(data()).box;
-    if (model_.stage) begin_with(*std::exchange(model_.stage, {}));
+    if (model_.stage)
+      begin_with(*std::exchange(model_.stage, {}));
+    else
+      sort_points();
   }
 
   /// One step; false ends the run.
   bool advance(double time) {
-    if (steps_ % sort_interval == 0 || strips_.need_division()) sort_points();
+    if (need_sorting()) sort_points();
     if (nonlocal_ && steps_ % average_interval_ == 0) nonlocal_->update(points_, points_.softening_strain);
     box_ = grown(box_, nodes_.storage);
     nodes_.frictions.clear();
@@ -162,6 +168,7 @@ class Run {
     audit_.internal_work += report.internal_work;
     if (report.is_broken) return stop(Ending::diverged, time);
     box_ = report.box;
+    out_of_order_ = report.out_of_order;
     if (reaches_edge() && has_left_grid()) return stop(Ending::left_domain, time);
     NodeEnergies energies;
     update_velocities(nodes_, energies, box_, gravity(time), settings_, contact());
@@ -180,7 +187,7 @@ class Run {
   const PointsOf<Real>& points() const { return points_; }
 
   /// Whether a run that begins here does the same: strips are divided where sorting is due.
-  bool can_be_resumed() const { return steps_ % sort_interval == 0 || points_.count() < Strips::least_points; }
+  bool can_be_resumed() const { return points_.count() < Strips::least_points || is_division_due(); }
 
   /// After steps without yield; their kinetic energies are left to fill in.
   ElasticStage stage() const {
@@ -224,7 +231,7 @@ class Run {
     for (auto values : {&Begun::velocity, &Begun::movement, &Begun::xx, &Begun::yy, &Begun::zz, &Begun::xy, &Begun::volume})
       points_.*values = std::move(begun.*values);
     box_ = stage.box;
-    sweeps_.place(data());
+    out_of_order_ = sweeps_.place(data()).out_of_order;
     set_new_velocities(nodes_, box_, stage.new_velocity);
     audit_ = stage.energy;
     steps_ = stage.steps();
@@ -234,12 +241,17 @@ class Run {
 
   // ---- parts of a step ----
 
+  bool is_division_due() const { return points_.count() >= Strips::least_points && steps_ % division_interval == 0; }
+
+  /// Depends on nothing but where points are and how they are sorted, so that runs may be resumed.
+  bool need_sorting() const {
+    return out_of_order_ > bearable_disorder * static_cast<double>(points_.count()) || is_division_due() || strips_.need_division();
+  }
+
   void sort_points() {
-    const HalfSize half = half_size(model_);
-    reorder(points_, order_by_node(points_, nodes_.storage, model_.grid, half));
-    sweeps_.place(data());
-    strips_.divide(points_.count(), box_,
-                   [&](std::size_t p) { return first_node(points_.x[p], model_.grid.cell_x, half.x, nodes_.storage.columns); });
+    reorder(points_, order_by_node(places_.first_node));
+    out_of_order_ = sweeps_.place(data()).out_of_order;
+    strips_.divide(points_.count(), box_, [&](std::size_t p) { return places_.first_node[p] / nodes_.storage.rows; });
   }
 
   /// MUSL where nothing has to be known of all points between the two sweeps; points that may leave the grid are looked at there.
@@ -265,6 +277,7 @@ class Run {
     audit_.internal_work += reports.a.internal_work;
     if (reports.a.is_broken) return stop(Ending::diverged, time);
     box_ = reports.a.box;
+    out_of_order_ = reports.a.out_of_order;
     audit_.gravity_work += energies.gravity_work;
     grid_kinetic_ = energies.kinetic;
     if (!std::isfinite(grid_kinetic_)) return stop(Ending::diverged, time);
@@ -416,6 +429,7 @@ class Run {
   std::vector<SoilConstantsOf<Real>> soils_;
   NodeSettings settings_;
   NodeBox box_;
+  int out_of_order_ = 0;  // points; see SweepReport
   std::optional<DilationStorage<Real>> dilation_;
   Dilation<Real> dilation_view_{};
   std::optional<NonlocalAverage> nonlocal_;

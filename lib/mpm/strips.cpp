@@ -69,6 +69,7 @@ static SweepReport joined(const std::vector<SweepReport>& reports) {
   for (std::size_t k = 1; k < reports.size(); ++k) {
     all.internal_work += reports[k].internal_work;
     all.box = joined(all.box, reports[k].box);
+    all.out_of_order += reports[k].out_of_order;
     all.is_broken |= reports[k].is_broken;
   }
   return all;

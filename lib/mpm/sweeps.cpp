@@ -32,6 +32,7 @@ SweepReport empty_report(const SweepData<Real>& data) {
 
 void join(SweepReport& report, const Reached& reached) {
   report.box = joined(report.box, reached.box);
+  report.out_of_order += reached.out_of_order;
   report.is_broken |= reached.is_lost;
 }
 

@@ -61,6 +61,7 @@ struct SweepData {
 struct SweepReport {
   double internal_work = 0;  // J/m: stress times strain increment times volume
   NodeBox box;               // the nodes that points reach now
+  int out_of_order = 0;      // points whose first node comes before that of their predecessor, in the same block
   bool is_broken = false;    // some point lies outside data.box, has no positive volume, or is not finite
 };
 
