@@ -12,6 +12,7 @@ NodesOf<Real>::NodesOf(NodeStorage where)
     : storage(where),
       sums(4 * where.count()),
       force(2 * where.count()),
+      mass(where.count()),
       motion(4 * where.count()),
       new_velocity(2 * where.count()),
       ends(static_cast<std::size_t>(where.columns)) {}
@@ -49,17 +50,8 @@ static std::size_t velocity_of(std::size_t node) { return 4 * node + 2; }
 static std::size_t new_velocity_of(std::size_t node) { return 2 * node; }
 
 template <class Real>
-void clear_sums(NodesOf<Real>& nodes, const NodeBox& box) {
-  for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
-    clear(nodes.sums, 4 * first, 4 * count);
-    clear(nodes.force, 2 * first, 2 * count);
-  });
+void begin_step(NodesOf<Real>& nodes, const NodeBox& box) {
   std::fill(nodes.ends.begin() + box.first_column, nodes.ends.begin() + box.last_column, 0);
-}
-
-template <class Real>
-void clear_new_sums(NodesOf<Real>& nodes, const NodeBox& box) {
-  for_each_column(nodes, box, [&](std::size_t first, std::size_t count) { clear(nodes.new_velocity, 2 * first, 2 * count); });
 }
 
 template <class Real>
@@ -207,24 +199,30 @@ SLIDEZONE_VECTOR_LOOP static void balance_momentum(const Real* sums, const Real*
 
 /// v = momentum / m in place, for the nodes of one column.
 template <class Real>
-SLIDEZONE_VECTOR_LOOP static void divide_by_mass(const Real* sums, Real* velocity, std::size_t count, Real least_mass) {
+SLIDEZONE_VECTOR_LOOP static void divide_by_mass(const Real* mass, Real* velocity, std::size_t count, Real least_mass) {
 #pragma GCC ivdep
   for (std::size_t k = 0; k < count; ++k) {
-    const Real mass = sums[4 * k + 2];
-    const Real inverse = mass > least_mass ? 1 / mass : 0;
+    const Real inverse = mass[k] > least_mass ? 1 / mass[k] : 0;
     velocity[2 * k] *= inverse;
     velocity[2 * k + 1] *= inverse;
   }
 }
 
-/// Momentum of the nodes of one column, kg/s, and twice their kinetic energy, J/m.
+/// The masses of the nodes of one column, out of their sums.
+template <class Real>
+SLIDEZONE_VECTOR_LOOP static void keep_mass(const Real* sums, Real* mass, std::size_t count) {
+#pragma GCC ivdep
+  for (std::size_t k = 0; k < count; ++k) mass[k] = sums[4 * k + 2];
+}
+
+/// Momentum of nodes, kg/s, and twice their kinetic energy, J/m.
 struct Motion {
   Vec2 momentum;
   double square;
 };
 
 template <class Real>
-SLIDEZONE_VECTOR_LOOP static Motion motion_of(const Real* sums, const Real* motion, std::size_t count) {
+SLIDEZONE_VECTOR_LOOP static Motion motion_of(const Real* mass, const Real* motion, std::size_t count) {
   double x = 0;
   double y = 0;
   double square = 0;
@@ -232,8 +230,8 @@ SLIDEZONE_VECTOR_LOOP static Motion motion_of(const Real* sums, const Real* moti
   for (std::size_t k = 0; k < count; ++k) {
     const Real velocity_x = motion[4 * k + 2];
     const Real velocity_y = motion[4 * k + 3];
-    const Real along_x = sums[4 * k + 2] * velocity_x;
-    const Real along_y = sums[4 * k + 2] * velocity_y;
+    const Real along_x = mass[k] * velocity_x;
+    const Real along_y = mass[k] * velocity_y;
     x += static_cast<double>(along_x);
     y += static_cast<double>(along_y);
     square += static_cast<double>(along_x * velocity_x + along_y * velocity_y);
@@ -241,13 +239,24 @@ SLIDEZONE_VECTOR_LOOP static Motion motion_of(const Real* sums, const Real* moti
   return {{x, y}, square};
 }
 
-/// What a boundary did to a node's velocity, which was `free`, goes into its change over the step too.
+static void add(Motion& sum, const Motion& more) {
+  sum.momentum.x += more.momentum.x;
+  sum.momentum.y += more.momentum.y;
+  sum.square += more.square;
+}
+
+/// What a boundary did to a node's velocity, which was `free`, goes into its change over the step too, and into the motion of all.
 template <class Real>
-static void add_to_change(NodesOf<Real>& nodes, std::size_t node, Vec2 free) {
+static void add_to_change(NodesOf<Real>& nodes, Motion& motion, std::size_t node, Vec2 free) {
   const NodeVelocity<Real> velocity = pair_in(nodes.motion, velocity_of(node));
   const NodeVelocity<Real> change = pair_in(nodes.motion, change_of(node));
-  change.x += static_cast<Real>(velocity.x - free.x);
-  change.y += static_cast<Real>(velocity.y - free.y);
+  const Vec2 by_boundary = {velocity.x - free.x, velocity.y - free.y};
+  change.x += static_cast<Real>(by_boundary.x);
+  change.y += static_cast<Real>(by_boundary.y);
+  const double mass = nodes.mass[node];
+  motion.momentum.x += mass * by_boundary.x;
+  motion.momentum.y += mass * by_boundary.y;
+  motion.square += mass * (by_boundary.x * (velocity.x + free.x) + by_boundary.y * (velocity.y + free.y));
 }
 
 static double along(Vec2 tangent, Vec2 v) { return tangent.x * v.x + tangent.y * v.y; }
@@ -265,7 +274,7 @@ static void remember_friction(NodesOf<Real>& nodes, std::size_t node, Vec2 free,
   const double would_be = along(tangent, free);
   const double change = along(tangent, pair_at(nodes.motion, change_of(node)));
   const double fall = settings.step * along(tangent, gravity);
-  const double mass = nodes.sums[mass_of(node)];
+  const double mass = nodes.mass[node];
   nodes.frictions.push_back({.node = node,
                              .push = {mass * (now.x - free.x), mass * (now.y - free.y)},
                              .slip = now.x,
@@ -278,7 +287,7 @@ static void remember_friction(NodesOf<Real>& nodes, std::size_t node, Vec2 free,
 
 /// Base contact with friction.
 template <class Real>
-static void touch_base(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings, Vec2 gravity) {
+static void touch_base(NodesOf<Real>& nodes, Motion& motion, const NodeBox& box, const NodeSettings& settings, Vec2 gravity) {
   for_nodes_on_base(nodes, box, [&](std::size_t node) {
     const NodeVelocity<Real> velocity = pair_in(nodes.motion, velocity_of(node));
     const Vec2 free = {velocity.x, velocity.y};
@@ -286,15 +295,15 @@ static void touch_base(NodesOf<Real>& nodes, const NodeBox& box, const NodeSetti
     if (settings.boundaries.base != BaseContact::stick)
       velocity.x = static_cast<Real>(rubbed(free.x, std::max(0.0, -free.y), settings.boundaries.base_friction));
     remember_friction(nodes, node, free, {1, 0}, settings, gravity);
-    add_to_change(nodes, node, free);
+    add_to_change(nodes, motion, node, free);
   });
 }
 
 /// Two-body contact at one row of nodes: where soil approaches the base along the normal, that part of its velocity is taken
 /// away, and friction acts on the rest.
 template <class Real>
-static void touch_body(NodesOf<Real>& nodes, const NodeBox& box, int row, const std::vector<Vec2>& normals, const NodeSettings& settings,
-                       Vec2 gravity) {
+static void touch_body(NodesOf<Real>& nodes, Motion& motion, const NodeBox& box, int row, const std::vector<Vec2>& normals,
+                       const NodeSettings& settings, Vec2 gravity) {
   if (row < box.first_row || row >= box.last_row) return;
   for (int column = box.first_column; column < box.last_column; ++column) {
     const std::size_t node = nodes.storage.index(column, row);
@@ -308,18 +317,18 @@ static void touch_body(NodesOf<Real>& nodes, const NodeBox& box, int row, const 
     velocity.x = static_cast<Real>(left * tangent.x);
     velocity.y = static_cast<Real>(left * tangent.y);
     remember_friction(nodes, node, free, tangent, settings, gravity);
-    add_to_change(nodes, node, free);
+    add_to_change(nodes, motion, node, free);
   }
 }
 
 template <class Real>
-static void touch_walls(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings) {
+static void touch_walls(NodesOf<Real>& nodes, Motion& motion, const NodeBox& box, const NodeSettings& settings) {
   const auto touch = [&](Wall wall) {
-    return [&nodes, wall](std::size_t node) {
+    return [&nodes, &motion, wall](std::size_t node) {
       const NodeVelocity<Real> velocity = pair_in(nodes.motion, velocity_of(node));
       const Vec2 free = {velocity.x, velocity.y};
       hold_at_wall(velocity, wall);
-      add_to_change(nodes, node, free);
+      add_to_change(nodes, motion, node, free);
     };
   };
   for_nodes_left(nodes, box, touch(settings.boundaries.left));
@@ -344,23 +353,26 @@ void update_velocities(NodesOf<Real>& nodes, NodeEnergies& energies, const NodeB
     fold_pairs(nodes.sums, momentum_of(behind), momentum_of(before), mirror);
     fold_pairs(nodes.force, force_of(behind), force_of(before), mirror);
   });
-  for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
+  Motion motion{};
+  for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {  // all at once, while the numbers are in the nearest cache
+    keep_mass(nodes.sums.data() + 4 * first, nodes.mass.data() + first, count);
     balance_momentum(nodes.sums.data() + 4 * first, nodes.force.data() + 2 * first, nodes.motion.data() + 4 * first, count,
                      static_cast<Real>(gravity.x), static_cast<Real>(gravity.y), static_cast<Real>(settings.least_mass),
                      static_cast<Real>(settings.step));
+    add(motion, motion_of(nodes.mass.data() + first, nodes.motion.data() + 4 * first, count));
+    clear(nodes.sums, 4 * first, 4 * count);
+    clear(nodes.force, 2 * first, 2 * count);
+    clear(nodes.new_velocity, 2 * first, 2 * count);
   });
-  touch_walls(nodes, box, settings);
+  touch_walls(nodes, motion, box, settings);
   if (settings.boundaries.base == BaseContact::two_body) {
-    touch_body(nodes, box, NodeStorage::padding, contact.top, settings, gravity);
-    touch_body(nodes, box, NodeStorage::padding - 1, contact.below, settings, gravity);
+    touch_body(nodes, motion, box, NodeStorage::padding, contact.top, settings, gravity);
+    touch_body(nodes, motion, box, NodeStorage::padding - 1, contact.below, settings, gravity);
   } else {
-    touch_base(nodes, box, settings, gravity);
+    touch_base(nodes, motion, box, settings, gravity);
   }
-  for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
-    const Motion motion = motion_of(nodes.sums.data() + 4 * first, nodes.motion.data() + 4 * first, count);
-    energies.gravity_work += settings.step * (gravity.x * motion.momentum.x + gravity.y * motion.momentum.y);
-    energies.kinetic += 0.5 * motion.square;
-  });
+  energies.gravity_work += settings.step * (gravity.x * motion.momentum.x + gravity.y * motion.momentum.y);
+  energies.kinetic += 0.5 * motion.square;
   for_each_image(nodes, box, settings, [&](std::size_t behind, std::size_t before, Mirror mirror) {
     reflect_pairs(nodes.motion, change_of(behind), change_of(before), mirror);
     reflect_pairs(nodes.motion, velocity_of(behind), velocity_of(before), mirror);
@@ -378,6 +390,7 @@ void copy_velocities(NodesOf<Real>& nodes, const NodeBox& box) {
 template <class Real>
 void copy_momenta(NodesOf<Real>& nodes, const NodeBox& box) {
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
+    keep_mass(nodes.sums.data() + 4 * first, nodes.mass.data() + first, count);
     for (std::size_t node = first; node < first + count; ++node) {
       std::copy_n(&nodes.sums[momentum_of(node)], 2, &nodes.new_velocity[new_velocity_of(node)]);
       std::copy_n(&nodes.sums[momentum_of(node)], 2, &nodes.motion[velocity_of(node)]);  // what friction held in the last step is free
@@ -391,7 +404,7 @@ void update_new_velocities(NodesOf<Real>& nodes, const NodeBox& box, const NodeS
     fold_pairs(nodes.new_velocity, new_velocity_of(behind), new_velocity_of(before), mirror);
   });
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {
-    divide_by_mass(nodes.sums.data() + 4 * first, nodes.new_velocity.data() + 2 * first, count, static_cast<Real>(settings.least_mass));
+    divide_by_mass(nodes.mass.data() + first, nodes.new_velocity.data() + 2 * first, count, static_cast<Real>(settings.least_mass));
   });
   const std::size_t first = nodes.storage.index(box.first_column, 0);
   const std::size_t last = nodes.storage.index(box.last_column, 0);
@@ -424,10 +437,8 @@ double friction_work(const NodeFriction& friction) {
 
 template struct NodesOf<double>;
 template struct NodesOf<float>;
-template void clear_sums(NodesOf<double>&, const NodeBox&);
-template void clear_sums(NodesOf<float>&, const NodeBox&);
-template void clear_new_sums(NodesOf<double>&, const NodeBox&);
-template void clear_new_sums(NodesOf<float>&, const NodeBox&);
+template void begin_step(NodesOf<double>&, const NodeBox&);
+template void begin_step(NodesOf<float>&, const NodeBox&);
 template std::vector<double> new_velocities_in(const NodesOf<double>&, const NodeBox&);
 template std::vector<double> new_velocities_in(const NodesOf<float>&, const NodeBox&);
 template void set_new_velocities(NodesOf<double>&, const NodeBox&, const std::vector<double>&);

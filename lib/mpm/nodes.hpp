@@ -34,11 +34,14 @@ struct NodesOf {
   explicit NodesOf(NodeStorage where);
 
   NodeStorage storage;
-  NodeNumbers<Real> sums;          // four a node: momentum (x, y), kg/s; mass, kg/m; nothing
-  NodeNumbers<Real> force;         // pairs (x, y): internal force, N/m
+  // Sums over points, which sweep A adds to and update_velocities clears: between steps they are 0.
+  NodeNumbers<Real> sums;   // four a node: momentum (x, y), kg/s; mass, kg/m; nothing
+  NodeNumbers<Real> force;  // pairs (x, y): internal force, N/m
+
+  NodeNumbers<Real> mass;          // kg/m
   NodeNumbers<Real> motion;        // four a node: change of velocity over the step (x, y), and velocity after it, m/s
   NodeNumbers<Real> new_velocity;  // pairs (x, y), m/s, of the moved points; summed as their momentum
-  std::vector<int> ends;           // by column: the row after those that points have reached since clear_sums; sums beyond are 0
+  std::vector<int> ends;           // by column: the row after those that points have reached in this step; sums beyond are 0
   std::vector<NodeFriction> frictions;
 };
 
@@ -68,11 +71,9 @@ struct ContactNormals {
   std::vector<Vec2> below;
 };
 
-/// Clears the sums of sweep A, as if points had reached no node, or those of sweep B, in the box.
+/// Begins a step: points have reached no node of the box yet.
 template <class Real>
-void clear_sums(NodesOf<Real>& nodes, const NodeBox& box);
-template <class Real>
-void clear_new_sums(NodesOf<Real>& nodes, const NodeBox& box);
+void begin_step(NodesOf<Real>& nodes, const NodeBox& box);
 
 /// The new velocities of the nodes in the box, column by column, and back.
 template <class Real>
@@ -89,8 +90,9 @@ void fold_mass(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& set
 
 /// motion: velocity = momentum / mass + change with change = dt (force / mass + gravity), then boundaries: a velocity that a wall
 /// or the base forbids is taken away, and the base takes the friction impulse, at most mu times the normal impulse
-/// max(0, -m v_y) of the unhindered motion (Coulomb; once per step). Adds to `energies` and to nodes.frictions, which are to be empty when
-/// a step begins: the nodes of a step may come a box at a time. A two-body base acts on the nodes that `contact` names, along its normals.
+/// max(0, -m v_y) of the unhindered motion (Coulomb; once per step). Keeps the masses, and clears the sums: those of sweep A for the next
+/// step, new_velocity for those of sweep B. Adds to `energies` and to nodes.frictions, which are to be empty when a step begins: the nodes
+/// of a step may come a box at a time. A two-body base acts on the nodes that `contact` names, along its normals.
 /// After fold_mass.
 template <class Real>
 void update_velocities(NodesOf<Real>& nodes, NodeEnergies& energies, const NodeBox& box, Vec2 gravity, const NodeSettings& settings,
@@ -100,13 +102,13 @@ void update_velocities(NodesOf<Real>& nodes, NodeEnergies& energies, const NodeB
 template <class Real>
 void copy_velocities(NodesOf<Real>& nodes, const NodeBox& box);
 
-/// new_velocity = the momenta of the points before forces act, for update_new_velocities (USF).
+/// new_velocity = the momenta of the points before forces act, for update_new_velocities (USF), which needs the masses too.
 template <class Real>
 void copy_momenta(NodesOf<Real>& nodes, const NodeBox& box);
 
 /// new_velocity = momentum / mass, without what walls and base forbid. Friction acted in update_velocities already, and so did
 /// all of a two-body base; what friction stopped there stays stopped: else the soil would be strained by a slip that does not
-/// happen, and stiff soil at rest on a rough base would begin to shake. After fold_mass.
+/// happen, and stiff soil at rest on a rough base would begin to shake. After update_velocities or copy_momenta.
 template <class Real>
 void update_new_velocities(NodesOf<Real>& nodes, const NodeBox& box, const NodeSettings& settings);
 

@@ -163,7 +163,7 @@ class Run {
     box_ = grown(box_, nodes_.storage);
     nodes_.frictions.clear();
     if (can_go_as_a_wave()) return advance_as_a_wave(time);
-    clear_sums(nodes_, box_);
+    begin_step(nodes_, box_);
     const SweepReport report = model_.method.update_order == UpdateOrder::usf ? stress_first() : stress_last();
     audit_.internal_work += report.internal_work;
     if (report.is_broken) return stop(Ending::diverged, time);
@@ -266,11 +266,10 @@ class Run {
     const auto between = [&](const NodeBox& box) {
       fold_mass(nodes_, box, settings_);
       update_velocities(nodes_, energies, box, gravity(time), settings_, {});
-      clear_new_sums(nodes_, box);
     };
     const TwoSweeps<Real> sweeps = {.sweep_a = sweeps_.update_and_map,
                                     .sweep_b = sweeps_.gather_and_map,
-                                    .prepare = [&](const NodeBox& box) { clear_sums(nodes_, box); },
+                                    .prepare = [&](const NodeBox& box) { begin_step(nodes_, box); },
                                     .between = between,
                                     .finish = [&](const NodeBox& box) { update_new_velocities(nodes_, box, settings_); }};
     const TwoReports reports = strips_.pass(sweeps, data());
@@ -319,7 +318,6 @@ class Run {
   /// Points follow the nodes, and the nodes get the velocities that the next strain is made of.
   void follow_nodes() {
     if (model_.method.update_order == UpdateOrder::musl) {
-      clear_new_sums(nodes_, box_);
       audit_.damping_work += strips_.stay(sweeps_.gather_and_map, data());
       update_new_velocities(nodes_, box_, settings_);
     } else {
