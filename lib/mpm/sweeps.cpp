@@ -45,25 +45,12 @@ void join(SweepReport& report, const StressUpdate& update) {
 
 enum class Map { yes, no };
 
-/// Asks for the numbers of the block after this one: there are more arrays than the processor would fetch ahead by itself.
-template <class... Numbers>
-[[gnu::always_inline]] inline void fetch_next(auto block, const Numbers*... arrays) {
-  constexpr int line = 64;  // bytes
-  const auto fetch = [](const auto* from) __attribute__((always_inline)) {
-    for (int k = 0; k < block_size; k += line / static_cast<int>(sizeof(*from))) __builtin_prefetch(from + k);
-  };
-  (fetch(arrays + block.first + block_size), ...);
-}
-
 template <SoilTraits traits, Map map, class Real>
 SweepReport update_and_map(const SweepData<Real>& data) {
   SweepReport report = empty_report(data);
   for_each_block(data, [&](auto block) {
     BlockWeights<Real> weights;
     BlockGradients<Real> gradients;
-    fetch_next(block, data.x, data.y, data.s_x, data.s_y, data.first_node, data.xx, data.yy, data.zz, data.xy, data.volume,
-               data.plastic_strain, data.mass, data.peak_cohesion, data.movement + block.first, data.movement + block.first + block_size,
-               data.velocity + block.first, data.velocity + block.first + block_size);
     weigh(data, block, weights);
     gather_gradients(data, block, weights, gradients);
     join(report, update_stress<traits>(data, block, gradients));
@@ -155,8 +142,6 @@ double gather(const SweepData<Real>& data) {
   for_each_block(data, [&](auto block) {
     BlockWeights<Real> weights;
     BlockPairs<Real> momentum;
-    fetch_next(block, data.s_x, data.s_y, data.first_node, data.mass, data.velocity + block.first, data.velocity + block.first + block_size,
-               data.movement + block.first, data.movement + block.first + block_size);
     weigh(data, block, weights);
     damped += gather_velocities<damping>(data, block, weights, momentum);
     if constexpr (second_map == SecondMap::yes) map_new_momentum(data, block, weights, momentum);
