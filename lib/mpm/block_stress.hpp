@@ -113,6 +113,30 @@ template <SoilTraits traits, class Real>
   }
 }
 
+/// Shear stresses of a block's points: at once where the processor estimates roots, one by one elsewhere.
+template <class Block, class Real>
+struct BlockShear {
+  const Real* j2;
+
+  [[gnu::always_inline]] ShearOf<Real> operator[](int p) const { return shear_of(j2[p]); }
+};
+#if SLIDEZONE_REGISTER_BYTES == 64
+template <class Real>
+struct BlockShear<FullBlock, Real> {
+  Real tau[block_size], inverse[block_size];
+
+  [[gnu::always_inline]] explicit BlockShear(const Real* j2) {
+    using Register = Lanes<Real, register_bytes / static_cast<int>(sizeof(Real))>;
+    for (int p = 0; p < block_size; p += Register::size) {
+      const auto [root, inverse_root] = root_and_inverse(Register::load(j2 + p));
+      root.store(tau + p);
+      inverse_root.store(inverse + p);
+    }
+  }
+  [[gnu::always_inline]] ShearOf<Real> operator[](int p) const { return {tau[p], inverse[p]}; }
+};
+#endif
+
 /// Ways back to the yield surface.
 template <class Real>
 struct BlockReturn {
@@ -123,10 +147,10 @@ template <SoilTraits traits, class Real>
 [[gnu::always_inline]] inline void flow(const SweepData<Real>& data, auto block, const BlockSoils<traits, Real>& soils,
                                         const BlockYield<Real>& yield, const BlockTrial<Real>& trial, BlockReturn<Real>& back) {
   Real* plastic_strain = data.plastic_strain + block.first;
+  const BlockShear<decltype(block), Real> shear{trial.j2};
 #pragma GCC ivdep
   for (int p = 0; p < block.count; ++p) {
-    const ReturnOf<Real> way =
-        way_back<traits>(InvariantsOf<Real>{trial.mean[p], trial.j2[p]}, soils[p], {yield.q_phi[p], yield.k_c[p], yield.tension[p]});
+    const ReturnOf<Real> way = way_back<traits>(trial.mean[p], shear[p], soils[p], {yield.q_phi[p], yield.k_c[p], yield.tension[p]});
     back.kept[p] = way.kept;
     back.mean[p] = way.mean;
     plastic_strain[p] += way.plastic_strain;

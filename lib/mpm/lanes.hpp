@@ -6,6 +6,7 @@
 
 #include <immintrin.h>
 
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -228,6 +229,38 @@ template <class Real>
 [[gnu::always_inline]] inline Four<Real> last_four(Eight<Real> eight) {
   return {{__builtin_shufflevector(eight.chunk[0], eight.chunk[0], 4, 5, 6, 7)}};
 }
+
+#if SLIDEZONE_REGISTER_BYTES == 64
+
+[[gnu::always_inline]] inline __m512d rough_inverse_root(__m512d x) { return _mm512_maskz_rsqrt14_pd(all_lanes, x); }
+[[gnu::always_inline]] inline __m512 rough_inverse_root(__m512 x) { return _mm512_maskz_rsqrt14_ps(0xffff, x); }
+[[gnu::always_inline]] inline __m512 multiply_add(__m512 a, __m512 b, __m512 c) { return _mm512_fmadd_ps(a, b, c); }
+
+template <class Register>
+struct RootAndInverse {
+  Register root, inverse;
+};
+
+/// sqrt(x) and 1 / sqrt(x), to some units in the last place, for x >= 0; the inverse is finite at 0. By Goldschmidt's iterations from an
+/// estimate of 14 bits: a square root and a quotient would keep one of the processor's two vector units busy for three times as long.
+template <class Real, int n>
+[[gnu::always_inline]] inline RootAndInverse<Lanes<Real, n>> root_and_inverse(Lanes<Real, n> x) {
+  constexpr Real least = std::numeric_limits<Real>::min();
+  constexpr Real half = 0.5;
+  const auto at_least = x.chunk[0] > least ? x.chunk[0] : least - typename Lanes<Real, n>::Chunk{};
+  const auto estimate = rough_inverse_root(at_least);
+  auto root = at_least * estimate;
+  auto half_inverse = estimate * half;
+  constexpr int iterations = std::is_same_v<Real, double> ? 2 : 1;
+  for (int k = 0; k < iterations; ++k) {
+    const auto rest = multiply_add(-root, half_inverse, half - typename Lanes<Real, n>::Chunk{});
+    root = multiply_add(root, rest, root);
+    half_inverse = multiply_add(half_inverse, rest, half_inverse);
+  }
+  return {{root}, {half_inverse + half_inverse}};
+}
+
+#endif
 
 /// The sums of the pairs of a, then of b.
 template <class Real>

@@ -131,6 +131,19 @@ SLIDEZONE_INLINE InvariantsOf<Real> invariants(const StressOf<Real>& stress) {
   return {mean, half * (dev_xx * dev_xx + dev_yy * dev_yy + dev_zz * dev_zz) + stress.xy * stress.xy};
 }
 
+/// tau = sqrt(J2) and its reciprocal, which is finite where tau is 0.
+template <class Real>
+struct ShearOf {
+  Real tau = 0;
+  Real inverse = 0;
+};
+
+template <class Real>
+SLIDEZONE_INLINE ShearOf<Real> shear_of(Real j2) {
+  const Real tau = std::sqrt(j2);
+  return {tau, 1 / (tau > std::numeric_limits<Real>::min() ? tau : std::numeric_limits<Real>::min())};
+}
+
 /// What the return to the yield surface leaves of a trial stress, and what it costs.
 template <class Real>
 struct ReturnOf {
@@ -141,10 +154,10 @@ struct ReturnOf {
 
 /// The way back to the yield surface for stresses outside it; others keep everything.
 template <SoilTraits traits, class Real>
-SLIDEZONE_INLINE ReturnOf<Real> way_back(InvariantsOf<Real> trial, const SoilConstantsOf<Real>& soil, const YieldSurfaceOf<Real>& yield) {
+SLIDEZONE_INLINE ReturnOf<Real> way_back(Real mean, ShearOf<Real> shear, const SoilConstantsOf<Real>& soil,
+                                         const YieldSurfaceOf<Real>& yield) {
   constexpr Real third = Real{1} / 3;
-  const Real mean = trial.mean;
-  const Real tau = std::sqrt(trial.j2);
+  const Real tau = shear.tau;
   const Real G = soil.shear;
   const Real K = soil.bulk;
 
@@ -163,8 +176,7 @@ SLIDEZONE_INLINE ReturnOf<Real> way_back(InvariantsOf<Real> trial, const SoilCon
     tension_multiplier = is_above_cut ? (mean - yield.tension) * soil.inverse_bulk - soil.q_psi * shear_multiplier : 0;
   }
 
-  const Real divisor = tau > std::numeric_limits<Real>::min() ? tau : std::numeric_limits<Real>::min();  // 0 / 0 would be no number
-  const Real kept = 1 - G * shear_multiplier / divisor;
+  const Real kept = 1 - G * shear_multiplier * shear.inverse;
   const Real by_shear_alone = __builtin_assoc_barrier(shear_multiplier * std::sqrt(third));
   if constexpr (!traits.has_cone) return {kept, mean, by_shear_alone};
   const Real volumetric = soil.q_psi * shear_multiplier + tension_multiplier;
@@ -182,7 +194,7 @@ SLIDEZONE_INLINE StressOf<Real> returned(const StressOf<Real>& trial, Real trial
 template <SoilTraits traits, class Real>
 SLIDEZONE_INLINE Real return_to_yield(StressOf<Real>& stress, const SoilConstantsOf<Real>& soil, const YieldSurfaceOf<Real>& yield) {
   const InvariantsOf<Real> trial = invariants(stress);
-  const ReturnOf<Real> back = way_back<traits>(trial, soil, yield);
+  const ReturnOf<Real> back = way_back<traits>(trial.mean, shear_of(trial.j2), soil, yield);
   stress = returned(stress, trial.mean, back);
   return back.plastic_strain;
 }
