@@ -1,4 +1,5 @@
-// From the nodes to the points of a block: velocity gradients, and the points' new velocities. Included by sweeps.cpp alone.
+// From the nodes to the points of a block: velocity gradients; and the points' new velocities, with their momentum back to the nodes.
+// Included by sweeps.cpp alone.
 #pragma once
 
 #include "mpm/block_nodes.hpp"
@@ -23,34 +24,50 @@ template <class Real>
 }
 
 enum class Damping { yes, no };
+enum class SecondMap { yes, no };
 
-/// v += sum N dv, with damping drawn by grid_part towards sum N v; movement = dt sum N v; momentum of the points. Returns the energy that
-/// the drawing took.
-template <Damping damping, class Real>
-[[gnu::always_inline]] inline double gather_velocities(const SweepData<Real>& data, auto block, const BlockWeights<Real>& weights,
-                                                       BlockPairs<Real>& momentum) {
+/// v += sum N dv, with damping drawn by grid_part towards sum N v; movement = dt sum N v; and the new momentum to the nodes, for the second
+/// time in a step. Returns the energy that the drawing took.
+template <SecondMap second_map, Damping damping, class Real>
+[[gnu::always_inline]] inline double follow_nodes(const SweepData<Real>& data, auto block, const BlockWeights<Real>& weights) {
   Real* velocity = data.velocity + 2 * block.first;
   Real* movement = data.movement + 2 * block.first;
   const Real* mass = data.mass + block.first;
   const Real* node_motion = data.node_motion;
+  Real* node_momentum = data.node_new_momentum;
+  const int* first_node = weights.first_node;
   const std::ptrdiff_t rows = data.storage.rows;
   const Real step = static_cast<Real>(data.step);
   const Real grid_part = static_cast<Real>(data.grid_part);
   Pair<Real> damped{};
-  gather_points<Values<Real>>(
-      block, weights.first_node, node_motion, rows, [&](int p, const auto& motion) __attribute__((always_inline)) {
-        const Four<Real> from_nodes = motion.value(weights, p);
-        const Pair<Real> moving = high(from_nodes);
-        const Pair<Real> free = Pair<Real>::load(velocity + 2 * p) + low(from_nodes);
-        Pair<Real> now = free;
-        if constexpr (damping == Damping::yes) {
-          now = fused(grid_part, moving - free, free);
-          damped = fused(mass[p], free * free - now * now, damped);
-        }
-        now.store(velocity + 2 * p);
-        (step * moving).store(movement + 2 * p);
-        (mass[p] * now).store(momentum + 2 * p);
-      });
+  const auto new_momentum = [&](int p, const Values<Real>& motion) __attribute__((always_inline)) {
+    const Four<Real> from_nodes = motion.value(weights, p);
+    const Pair<Real> moving = high(from_nodes);
+    const Pair<Real> free = Pair<Real>::load(velocity + 2 * p) + low(from_nodes);
+    Pair<Real> now = free;
+    if constexpr (damping == Damping::yes) {
+      now = fused(grid_part, moving - free, free);
+      damped = fused(mass[p], free * free - now * now, damped);
+    }
+    now.store(velocity + 2 * p);
+    (step * moving).store(movement + 2 * p);
+    return mass[p] * now;
+  };
+  if constexpr (second_map == SecondMap::no) {
+    gather_points<Values<Real>>(block, first_node, node_motion, rows, new_momentum);
+  } else if constexpr (eight_fit<Real>) {
+    gather_and_give<Values<Real>, PairSums<Real>>(
+        block, first_node, node_motion, node_momentum,
+        rows, [&](int p, const auto& motion, auto& sums) __attribute__((always_inline)) { sums.add(weights, p, new_momentum(p, motion)); });
+  } else {  // too few registers for both at once
+    BlockPairs<Real> momentum;
+    gather_points<Values<Real>>(
+        block, first_node, node_motion,
+        rows, [&](int p, const auto& motion) __attribute__((always_inline)) { new_momentum(p, motion).store(momentum + 2 * p); });
+    give_to_nodes<PairSums<Real>>(
+        block, first_node, node_momentum,
+        rows, [&](int p, auto& sums) __attribute__((always_inline)) { sums.add(weights, p, Pair<Real>::load(momentum + 2 * p)); });
+  }
   Real lost[2];
   damped.store(lost);
   return 0.5 * (static_cast<double>(lost[0]) + static_cast<double>(lost[1]));

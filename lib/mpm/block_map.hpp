@@ -86,14 +86,5 @@ template <class Real>
   }
 }
 
-/// Momentum of moved points to the nodes, for the second time in a step.
-template <class Real>
-[[gnu::always_inline]] inline void map_new_momentum(const SweepData<Real>& data, auto block, const BlockWeights<Real>& weights,
-                                                    const BlockPairs<Real>& momentum) {
-  give_to_nodes<PairSums<Real>>(
-      block, weights.first_node, data.node_new_momentum,
-      data.storage.rows, [&](int p, auto& sums) __attribute__((always_inline)) { sums.add(weights, p, momentum + 2 * p); });
-}
-
 }  // namespace
 }  // namespace slidezone

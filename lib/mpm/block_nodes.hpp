@@ -72,5 +72,24 @@ template <class Sums, class Numbers, class Add>
   sums.give(numbers, now, rows);
 }
 
+/// act(p, from_nodes, sums) for all points of a block: both at once.
+template <class FromNodes, class Sums, class Real, class Act>
+[[gnu::always_inline]] inline void gather_and_give(auto block, const int* first_node, const Real* from, Real* to, std::ptrdiff_t rows,
+                                                   Act act) {
+  FromNodes from_nodes;
+  Sums sums;
+  int now = first_node[0];
+  from_nodes.load(from, now, rows);
+  for (int p = 0; p < block.count; ++p) {
+    if (first_node[p] != now) {
+      sums.move_on(to, now, first_node[p], rows);
+      now = first_node[p];
+      from_nodes.load(from, now, rows);
+    }
+    act(p, from_nodes, sums);
+  }
+  sums.give(to, now, rows);
+}
+
 }  // namespace
 }  // namespace slidezone

@@ -40,7 +40,6 @@ struct Column<Real, 2> {
     const Column of_r = {{{1, 1, -2, -2, 1, 1, 0, 0}}};
     return fused(weights.r_y[p], of_r, of_one);
   }
-  [[gnu::always_inline]] static Column repeated(const Real* pair) { return {four_times(pair)}; }
 
   [[gnu::always_inline]] friend Column operator+(Column a, Column b) { return {a.nodes + b.nodes}; }
   [[gnu::always_inline]] friend Column operator-(Column a, Column b) { return {a.nodes - b.nodes}; }
@@ -139,8 +138,8 @@ template <class Real>
 struct PairSums {
   Column<Real, 2> of[3]{};
 
-  [[gnu::always_inline]] void add(const BlockWeights<Real>& weights, int p, const Real* pair) {
-    const Column<Real, 2> gift = Column<Real, 2>::repeated(pair) * Column<Real, 2>::weights(weights, p);
+  [[gnu::always_inline]] void add(const BlockWeights<Real>& weights, int p, Pair<Real> pair) {
+    const Column<Real, 2> gift = Column<Real, 2>{four_times(pair)} * Column<Real, 2>::weights(weights, p);
     of[0] = of[0] + gift;
     of[1] = fused(weights.s_x[p], gift, of[1]);
     of[2] = fused(weights.q_x[p], gift, of[2]);

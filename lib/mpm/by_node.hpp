@@ -85,13 +85,8 @@ struct MomentumSums : ValueSums<Real, 4> {
   }
 };
 
-/// Sums of pairs.
 template <class Real>
-struct PairSums : ValueSums<Real, 2> {
-  [[gnu::always_inline]] void add(const BlockWeights<Real>& weights, int p, const Real* pair) {
-    ValueSums<Real, 2>::add(weights, p, Pair<Real>::load(pair));
-  }
-};
+using PairSums = ValueSums<Real, 2>;
 
 /// A point's weights for slopes of pairs: along y in the first two lanes, along x in the others.
 template <class Real>

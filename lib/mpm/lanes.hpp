@@ -179,7 +179,10 @@ using Eight = Lanes<Real, 8>;
 
 typedef double TwoFloats __attribute__((may_alias));
 
-/// A pair of floats, four times.
+/// A pair, four times.
+[[gnu::always_inline]] inline Eight<float> four_times(Pair<float> pair) {
+  return {{_mm256_castpd_ps(_mm256_broadcastsd_pd(_mm_castps_pd(pair.chunk[0])))}};
+}
 [[gnu::always_inline]] inline Eight<float> four_times(const float* pair) {
   return {{_mm256_castpd_ps(_mm256_set1_pd(*reinterpret_cast<const TwoFloats*>(pair)))}};
 }
@@ -194,6 +197,9 @@ typedef double TwoFloats __attribute__((may_alias));
 
 #if SLIDEZONE_REGISTER_BYTES == 64
 constexpr __mmask8 all_lanes = 0xff;  // GCC 12 warns of what its own header leaves undefined in forms without a mask (GCC bug 105593)
+[[gnu::always_inline]] inline Eight<double> four_times(Pair<double> pair) {
+  return {{_mm512_maskz_broadcast_f64x2(all_lanes, pair.chunk[0])}};
+}
 [[gnu::always_inline]] inline Eight<double> four_times(const double* pair) {
   return {{_mm512_maskz_broadcast_f64x2(all_lanes, _mm_loadu_pd(pair))}};
 }

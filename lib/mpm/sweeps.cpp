@@ -134,17 +134,13 @@ SweepReport update_and_map_force(const SweepData<Real>& data) {
 
 // ---- sweep B ------------------------------------------------------------------------------------------------------------
 
-enum class SecondMap { yes, no };
-
 template <SecondMap second_map, Damping damping, class Real>
 double gather(const SweepData<Real>& data) {
   double damped = 0;
   for_each_block(data, [&](auto block) {
     BlockWeights<Real> weights;
-    BlockPairs<Real> momentum;
     weigh(data, block, weights);
-    damped += gather_velocities<damping>(data, block, weights, momentum);
-    if constexpr (second_map == SecondMap::yes) map_new_momentum(data, block, weights, momentum);
+    damped += follow_nodes<second_map, damping>(data, block, weights);
   });
   return damped;
 }
