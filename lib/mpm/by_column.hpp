@@ -44,7 +44,6 @@ struct Column<Real, 2> {
   [[gnu::always_inline]] friend Column operator+(Column a, Column b) { return {a.nodes + b.nodes}; }
   [[gnu::always_inline]] friend Column operator-(Column a, Column b) { return {a.nodes - b.nodes}; }
   [[gnu::always_inline]] friend Column operator*(Column a, Column b) { return {a.nodes * b.nodes}; }
-  [[gnu::always_inline]] friend Column operator*(Real a, Column b) { return {a * b.nodes}; }
   [[gnu::always_inline]] friend Column fused(Real a, Column b, Column c) { return {fused(a, b.nodes, c.nodes)}; }
 };
 
