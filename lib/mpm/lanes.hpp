@@ -247,15 +247,16 @@ struct RootAndInverse {
   Register root, inverse;
 };
 
-/// sqrt(x) and 1 / sqrt(x), to some units in the last place, for x >= 0; the inverse is finite at 0. By Goldschmidt's iterations from an
-/// estimate of 14 bits: a square root and a quotient would keep one of the processor's two vector units busy for three times as long.
+/// sqrt(x) and 1 / sqrt(x), to some units in the last place, for x >= 0; at 0 the root is 0 and the inverse is finite. By Goldschmidt's
+/// iterations from an estimate of 14 bits: a square root and a quotient would keep one of the processor's two vector units busy for three
+/// times as long.
 template <class Real, int n>
 [[gnu::always_inline]] inline RootAndInverse<Lanes<Real, n>> root_and_inverse(Lanes<Real, n> x) {
   constexpr Real least = std::numeric_limits<Real>::min();
   constexpr Real half = 0.5;
   const auto at_least = x.chunk[0] > least ? x.chunk[0] : least - typename Lanes<Real, n>::Chunk{};
   const auto estimate = rough_inverse_root(at_least);
-  auto root = at_least * estimate;
+  auto root = x.chunk[0] * estimate;
   auto half_inverse = estimate * half;
   constexpr int iterations = std::is_same_v<Real, double> ? 2 : 1;
   for (int k = 0; k < iterations; ++k) {

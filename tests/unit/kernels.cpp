@@ -26,6 +26,20 @@ TEST(Simulate, GivesTheSameOnEveryInstructionSet) {
   }
 }
 
+TEST(Simulate, LetsSoilWithoutStressOrStrengthAlone) {  // tau is 0 then, and its reciprocal is not
+  Material mud = clay;
+  mud.peak_cohesion = mud.residual_cohesion = 0;
+  Model still = block(3.1, 1.33, 5, 4, mud);
+  still.gravity.acceleration = {0, 0};
+  for (const Model& model : {still, in_single_precision(still)})
+    for (const InstructionSet set : every_set) {
+      if (set > best_instruction_set()) continue;
+      const Points points = simulate(model, {}, Kernel{set, {}}).points;
+      EXPECT_EQ(points.plastic_strain, std::vector<double>(points.count(), 0.0)) << static_cast<int>(set);
+      EXPECT_EQ(points.xx, std::vector<double>(points.count(), 0.0)) << static_cast<int>(set);
+    }
+}
+
 TEST(Simulate, GivesEqualBitsTwice) { EXPECT_EQ(simulate(deforming_block()).points.x, simulate(deforming_block()).points.x); }
 
 TEST(Simulate, IsNotChangedByAnObserverThatLooks) {
