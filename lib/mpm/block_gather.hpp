@@ -26,8 +26,8 @@ template <class Real>
 enum class Damping { yes, no };
 enum class SecondMap { yes, no };
 
-/// v += sum N dv, with damping drawn by grid_part towards sum N v; movement = dt sum N v; and the new momentum to the nodes, for the second
-/// time in a step. Returns the energy that the drawing took.
+/// v += sum N dv, with damping drawn by grid_part towards sum N v; movement = dt sum N v; and with a second map the new momentum to the
+/// nodes. Returns the energy that the drawing took.
 template <SecondMap second_map, Damping damping, class Real>
 [[gnu::always_inline]] inline double follow_nodes(const SweepData<Real>& data, auto block, const BlockWeights<Real>& weights) {
   Real* velocity = data.velocity + 2 * block.first;

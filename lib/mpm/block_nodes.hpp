@@ -39,56 +39,58 @@ using by_node::SlopeSums;
 #else
 using namespace by_node;
 template <class Real>
-struct MomentumAndForceSums;
+struct MomentumAndForceSums;  // named, but not used
 #endif
+
+/// act(p) for all points of a block, and before it change(now, next) wherever the first node is another than the last point's. Gives the
+/// last one.
+template <class Change, class Act>
+[[gnu::always_inline]] inline int for_points(auto block, const int* first_node, Change change, Act act) {
+  int now = first_node[0];
+  for (int p = 0; p < block.count; ++p) {
+    if (first_node[p] != now) {
+      change(now, first_node[p]);
+      now = first_node[p];
+    }
+    act(p);
+  }
+  return now;
+}
 
 /// act(p, from_nodes) for all points of a block, where `from_nodes` holds the numbers of the nodes that point p reaches.
 template <class FromNodes, class Real, class Act>
 [[gnu::always_inline]] inline void gather_points(auto block, const int* first_node, const Real* numbers, std::ptrdiff_t rows, Act act) {
   FromNodes from_nodes;
-  int now = first_node[0];
-  from_nodes.load(numbers, now, rows);
-  for (int p = 0; p < block.count; ++p) {
-    if (first_node[p] != now) {
-      now = first_node[p];
-      from_nodes.load(numbers, now, rows);
-    }
-    act(p, from_nodes);
-  }
+  from_nodes.load(numbers, first_node[0], rows);
+  for_points(
+      block, first_node, [&](int, int next) __attribute__((always_inline)) { from_nodes.load(numbers, next, rows); },
+      [&](int p) __attribute__((always_inline)) { act(p, from_nodes); });
 }
 
 /// add(p, sums) for all points of a block, whose sums go to numbers of the nodes.
 template <class Sums, class Numbers, class Add>
 [[gnu::always_inline]] inline void give_to_nodes(auto block, const int* first_node, Numbers numbers, std::ptrdiff_t rows, Add add) {
   Sums sums;
-  int now = first_node[0];
-  for (int p = 0; p < block.count; ++p) {
-    if (first_node[p] != now) {
-      sums.move_on(numbers, now, first_node[p], rows);
-      now = first_node[p];
-    }
-    add(p, sums);
-  }
-  sums.give(numbers, now, rows);
+  const int last = for_points(
+      block, first_node, [&](int now, int next) __attribute__((always_inline)) { sums.move_on(numbers, now, next, rows); },
+      [&](int p) __attribute__((always_inline)) { add(p, sums); });
+  sums.give(numbers, last, rows);
 }
 
-/// act(p, from_nodes, sums) for all points of a block: both at once.
+/// Both at once: act(p, from_nodes, sums) for all points of a block.
 template <class FromNodes, class Sums, class Real, class Act>
 [[gnu::always_inline]] inline void gather_and_give(auto block, const int* first_node, const Real* from, Real* to, std::ptrdiff_t rows,
                                                    Act act) {
   FromNodes from_nodes;
+  from_nodes.load(from, first_node[0], rows);
   Sums sums;
-  int now = first_node[0];
-  from_nodes.load(from, now, rows);
-  for (int p = 0; p < block.count; ++p) {
-    if (first_node[p] != now) {
-      sums.move_on(to, now, first_node[p], rows);
-      now = first_node[p];
-      from_nodes.load(from, now, rows);
-    }
-    act(p, from_nodes, sums);
-  }
-  sums.give(to, now, rows);
+  const auto change = [&](int now, int next) __attribute__((always_inline)) {
+    sums.move_on(to, now, next, rows);
+    from_nodes.load(from, next, rows);
+  };
+  const int last = for_points(
+      block, first_node, change, [&](int p) __attribute__((always_inline)) { act(p, from_nodes, sums); });
+  sums.give(to, last, rows);
 }
 
 }  // namespace

@@ -2,7 +2,8 @@
 // registers of eight numbers. Along x there are differences as in by_node.hpp; along y each lane has the weight of its node,
 //   N_0 = 1 - s + q,  N_1 = s - 2 q,  N_2 = q,    h dN_0/dy = r - 1,  h dN_1/dy = 1 - 2 r,  h dN_2/dy = r.
 // Nodes are given their sums as late as possible: where the next points begin one node above, as most do, two of three nodes of a column
-// stay in registers. Giving to memory what was given to a moment ago, shifted by a node, would have to wait for it.
+// stay in registers. Giving to memory what was given to a moment ago, shifted by a node, would have to wait for it. Pairs of three nodes
+// leave two of eight lanes over, in which masses go along.
 // Included by block_nodes.hpp alone.
 #pragma once
 
@@ -67,7 +68,6 @@ struct Column<Real, 4> {
   }
   [[gnu::always_inline]] friend Column operator+(Column a, Column b) { return {a.two_nodes + b.two_nodes, a.third + b.third}; }
   [[gnu::always_inline]] friend Column operator-(Column a, Column b) { return {a.two_nodes - b.two_nodes, a.third - b.third}; }
-  [[gnu::always_inline]] friend Column operator*(Column a, Column b) { return {a.two_nodes * b.two_nodes, a.third * b.third}; }
   [[gnu::always_inline]] friend Column fused(Real a, Column b, Column c) {
     const Eight<Real> everywhere = eight_times(a);
     return {fused(everywhere, b.two_nodes, c.two_nodes), fused(first_four(everywhere), b.third, c.third)};

@@ -22,7 +22,8 @@ namespace {
 /// Every soil that some point has.
 const std::vector<Material>& materials(const Model& model) { return model.point_soils.empty() ? model.soils : model.point_soils; }
 
-/// Points are sorted once more than this part of them is out of order: sorting takes as long as a third of a step.
+/// Points are sorted once more than this part of them is out of order: half or twice as many take as long, as sorting takes
+/// two fifths of a step.
 constexpr double bearable_disorder = 1.0 / 32;
 /// Large runs, which are divided into strips whenever their points are sorted, can be resumed where that is due.
 constexpr std::uint64_t division_interval = 50;  // steps
