@@ -16,6 +16,7 @@ template <class Real>
   const Real* node_velocity = data.node_new_velocity;
   const std::ptrdiff_t rows = data.storage.rows;
   BlockFours<Real> of_points;
+  fetch_next(data, weights.s_x, weights.s_y, weights.first_node);
   gather_points<Slopes<Real>>(
       block, weights.first_node, node_velocity, rows, [&](int p, const auto& velocity) __attribute__((always_inline)) {
         (per_length * velocity.value(weights, p)).store(of_points + 4 * p);

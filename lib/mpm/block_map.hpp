@@ -66,6 +66,8 @@ template <class Real>
 template <class Real>
 [[gnu::always_inline]] inline void map_all(const SweepData<Real>& data, auto block, const BlockWeights<Real>& weights,
                                            BlockStress<Real> stress) {
+  fetch_next_pairs(data, data.velocity + 2 * block.first);
+  fetch_next(data, data.mass + block.first);
   if constexpr (eight_fit<Real>) {
     const Real* velocity = data.velocity + 2 * block.first;
     const Real* mass = data.mass + block.first;

@@ -30,6 +30,22 @@ using BlockPairs = Real[2 * block_size];
 template <class Real>
 using BlockFours = Real[4 * block_size];
 
+/// Asks for the numbers of the next block, given where this block's are. There are more arrays than a processor fetches ahead by itself.
+/// Some of them at a time, between computations of a block: a processor waits when too many lines are on their way.
+template <class Real, class... Numbers>
+[[gnu::always_inline]] inline void fetch_next(const SweepData<Real>& data, const Numbers*... of_block) {
+  if (!data.fetches_ahead) return;
+  constexpr int line = 64;  // bytes
+  const auto fetch = [](const auto* from) __attribute__((always_inline)) {
+    for (int k = 0; k < block_size; k += line / static_cast<int>(sizeof(*from))) __builtin_prefetch(from + block_size + k);
+  };
+  (fetch(of_block), ...);
+}
+template <class Real, class Pairs>
+[[gnu::always_inline]] inline void fetch_next_pairs(const SweepData<Real>& data, const Pairs* of_block) {
+  fetch_next(data, of_block + block_size, of_block + 2 * block_size);
+}
+
 /// Shape functions of a block's points, struct of arrays.
 template <class Real>
 struct BlockWeights {

@@ -153,7 +153,7 @@ class Run {
     box_ = sweeps_.place(data()).box;
     if (model_.stage)
       begin_with(*std::exchange(model_.stage, {}));
-    else
+    else if (!need_sorting())
       sort_points();
   }
 
@@ -414,7 +414,8 @@ class Run {
             .half_size_x = half.x,
             .half_size_y = half.y,
             .step = step_,
-            .grid_part = -std::expm1(-model_.method.damping_rate * step_)};
+            .grid_part = -std::expm1(-model_.method.damping_rate * step_),
+            .fetches_ahead = strips_.are_many()};
   }
 
   Model model_;

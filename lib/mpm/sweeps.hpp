@@ -55,6 +55,7 @@ struct SweepData {
   double half_size_x, half_size_y;  // of a point's domain, in cells; 0 for linear shape functions
   double step;                      // s
   double grid_part;                 // of a point's velocity that is taken from the grid in each step: damping
+  bool fetches_ahead;               // points lie in the main memory: sweep A is to ask for a block's numbers while it is at the last one's
 };
 
 /// What sweep A saw, over all points.
