@@ -90,12 +90,13 @@ void add(const std::string& name, const Model& model, Kernel kernel) {
 
 Model model_of(const Scene& scene) { return model_of(scene, material_points(scene), {}); }
 
-/// The scene with cells refined `times`, for about 2e8 point steps, and 100 steps at least.
+/// The scene with cells refined `times`, for about 2e8 point steps, and 400 steps at least: what comes before the first step takes as
+/// long as some steps, of which whole runs of this size have a hundred thousand.
 Scene refined(Scene scene, int times) {
   GridShape& grid = scene.discretization.grid;
   grid = {grid.cell_x / times, grid.cell_y / times, grid.cells_x * times, grid.cells_y * times};
   scene.time.step = *scene.time.step / times;
-  scene.time.end = *scene.time.step * std::max(100, 20000 / (times * times));
+  scene.time.end = *scene.time.step * std::max(400, 20000 / (times * times));
   return scene;
 }
 

@@ -15,12 +15,22 @@ template <class Real>
   const Four<Real> per_length = two_of_each(static_cast<Real>(1 / data.grid.cell_y), static_cast<Real>(1 / data.grid.cell_x));
   const Real* node_velocity = data.node_new_velocity;
   const std::ptrdiff_t rows = data.storage.rows;
+  Ahead ahead;
+  if (data.fetches_ahead) {
+    ahead.add(weights.s_x);
+    ahead.add(weights.s_y);
+    ahead.add(weights.first_node);
+    ahead.add(data.softening_strain + block.first);
+    ahead.add(data.peak_cohesion + block.first);
+    for (const Real* stress : {data.xx, data.yy, data.zz}) ahead.add(stress + block.first);
+  }
   BlockFours<Real> of_points;
-  fetch_next(data, weights.s_x, weights.s_y, weights.first_node);
   gather_points<Slopes<Real>>(
-      block, weights.first_node, node_velocity, rows, [&](int p, const auto& velocity) __attribute__((always_inline)) {
-        (per_length * velocity.value(weights, p)).store(of_points + 4 * p);
-      });
+      block, weights.first_node, node_velocity, rows,
+      [&](int p, const auto& velocity)
+          __attribute__((always_inline)) { (per_length * velocity.value(weights, p)).store(of_points + 4 * p); },
+      [&]() __attribute__((always_inline)) { ahead.fetch_some(); });
+  ahead.fetch_rest();
   separate(block, of_points, gradients.xy, gradients.yy, gradients.xx, gradients.yx);
 }
 

@@ -8,13 +8,15 @@ namespace slidezone {
 namespace {  // compiled once per instruction set: no symbol may be shared between them
 
 /// Momentum m v and mass, to the nodes.
-template <class Real>
-[[gnu::always_inline]] inline void map_mass_and_momentum(const SweepData<Real>& data, auto block, const BlockWeights<Real>& weights) {
+template <class Real, class Meanwhile = DoNothing>
+[[gnu::always_inline]] inline void map_mass_and_momentum(const SweepData<Real>& data, auto block, const BlockWeights<Real>& weights,
+                                                         Meanwhile meanwhile = {}) {
   const Real* velocity = data.velocity + 2 * block.first;
   const Real* mass = data.mass + block.first;
   give_to_nodes<MomentumSums<Real>>(
       block, weights.first_node, data.node_sums,
-      data.storage.rows, [&](int p, auto& sums) __attribute__((always_inline)) { sums.add(weights, p, velocity + 2 * p, mass[p]); });
+      data.storage.rows, [&](int p, auto& sums) __attribute__((always_inline)) { sums.add(weights, p, velocity + 2 * p, mass[p]); },
+      meanwhile);
 }
 
 /// In-plane stresses of a block's points, as the nodes feel them.
@@ -66,8 +68,15 @@ template <class Real>
 template <class Real>
 [[gnu::always_inline]] inline void map_all(const SweepData<Real>& data, auto block, const BlockWeights<Real>& weights,
                                            BlockStress<Real> stress) {
-  fetch_next_pairs(data, data.velocity + 2 * block.first);
-  fetch_next(data, data.mass + block.first);
+  Ahead ahead;
+  if (data.fetches_ahead) {
+    ahead.add(data.xy + block.first);
+    ahead.add(data.volume + block.first);
+    for (const double* place : {data.x, data.y}) ahead.add(place + block.first);
+    for (const Real* pairs : {data.movement, data.velocity}) ahead.add(pairs + 2 * block.first, 2);
+    ahead.add(data.mass + block.first);
+  }
+  const auto fetch = [&]() __attribute__((always_inline)) { ahead.fetch_some(); };
   if constexpr (eight_fit<Real>) {
     const Real* velocity = data.velocity + 2 * block.first;
     const Real* mass = data.mass + block.first;
@@ -78,14 +87,16 @@ template <class Real>
     for (int p = 0; p < block.count; ++p) mass_of_third[p] = mass[p] * weights.q_y[p];
     using Sums = MomentumAndForceSums<Real>;
     give_to_nodes<Sums>(
-        block, weights.first_node, typename Sums::Target{data.node_sums, data.node_force},
-        data.storage.rows, [&](int p, auto& sums) __attribute__((always_inline)) {
+        block, weights.first_node, typename Sums::Target{data.node_sums, data.node_force}, data.storage.rows,
+        [&](int p, auto& sums) __attribute__((always_inline)) {
           sums.add(weights, p, velocity + 2 * p, mass[p], mass_of_third[p], force.by_x + 2 * p, force.by_y + 2 * p);
-        });
+        },
+        fetch);
   } else {
-    map_mass_and_momentum(data, block, weights);
+    map_mass_and_momentum(data, block, weights, fetch);
     map_force(data, block, weights, stress);
   }
+  ahead.fetch_rest();
 }
 
 }  // namespace

@@ -57,22 +57,37 @@ template <class Change, class Act>
   return now;
 }
 
-/// act(p, from_nodes) for all points of a block, where `from_nodes` holds the numbers of the nodes that point p reaches.
-template <class FromNodes, class Real, class Act>
-[[gnu::always_inline]] inline void gather_points(auto block, const int* first_node, const Real* numbers, std::ptrdiff_t rows, Act act) {
+struct DoNothing {
+  [[gnu::always_inline]] void operator()() const {}
+};
+
+/// act(p, from_nodes) for all points of a block, where `from_nodes` holds the numbers of the nodes that point p reaches. Does a piece of
+/// what is to be done meanwhile where the first node changes.
+template <class FromNodes, class Real, class Act, class Meanwhile = DoNothing>
+[[gnu::always_inline]] inline void gather_points(auto block, const int* first_node, const Real* numbers, std::ptrdiff_t rows, Act act,
+                                                 Meanwhile meanwhile = {}) {
   FromNodes from_nodes;
   from_nodes.load(numbers, first_node[0], rows);
   for_points(
-      block, first_node, [&](int, int next) __attribute__((always_inline)) { from_nodes.load(numbers, next, rows); },
+      block, first_node,
+      [&](int, int next) __attribute__((always_inline)) {
+        from_nodes.load(numbers, next, rows);
+        meanwhile();
+      },
       [&](int p) __attribute__((always_inline)) { act(p, from_nodes); });
 }
 
-/// add(p, sums) for all points of a block, whose sums go to numbers of the nodes.
-template <class Sums, class Numbers, class Add>
-[[gnu::always_inline]] inline void give_to_nodes(auto block, const int* first_node, Numbers numbers, std::ptrdiff_t rows, Add add) {
+/// add(p, sums) for all points of a block, whose sums go to numbers of the nodes; and what is to be done meanwhile.
+template <class Sums, class Numbers, class Add, class Meanwhile = DoNothing>
+[[gnu::always_inline]] inline void give_to_nodes(auto block, const int* first_node, Numbers numbers, std::ptrdiff_t rows, Add add,
+                                                 Meanwhile meanwhile = {}) {
   Sums sums;
   const int last = for_points(
-      block, first_node, [&](int now, int next) __attribute__((always_inline)) { sums.move_on(numbers, now, next, rows); },
+      block, first_node,
+      [&](int now, int next) __attribute__((always_inline)) {
+        sums.move_on(numbers, now, next, rows);
+        meanwhile();
+      },
       [&](int p) __attribute__((always_inline)) { add(p, sums); });
   sums.give(numbers, last, rows);
 }

@@ -183,11 +183,8 @@ template <SoilTraits traits, class Real>
   BlockTrial<Real> trial;
   BlockReturn<Real> back;
   find_yield(data, block, soils, yield);
-  fetch_next(data, data.softening_strain + block.first, data.peak_cohesion + block.first);
   try_elastic(data, block, soils, gradients, trial);
-  fetch_next(data, xx, yy);
   flow(data, block, soils, yield, trial, back);
-  fetch_next(data, zz, xy, volume);
   Real work[block_size];  // summed below: a sum inside the loop would keep it from becoming vector instructions
   Flag broken = 0;
 #pragma GCC ivdep
@@ -211,13 +208,11 @@ template <class Real>
   double* x = data.x + block.first;
   double* y = data.y + block.first;
   const Real* movement = data.movement + 2 * block.first;
-  fetch_next(data, x, y);
 #pragma GCC ivdep
   for (int p = 0; p < block.count; ++p) {
     x[p] += static_cast<double>(movement[2 * p]);
     y[p] += static_cast<double>(movement[2 * p + 1]);
   }
-  fetch_next_pairs(data, movement);
 }
 
 }  // namespace

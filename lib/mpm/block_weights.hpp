@@ -30,21 +30,36 @@ using BlockPairs = Real[2 * block_size];
 template <class Real>
 using BlockFours = Real[4 * block_size];
 
-/// Asks for the numbers of the next block, given where this block's are. There are more arrays than a processor fetches ahead by itself.
-/// Some of them at a time, between computations of a block: a processor waits when too many lines are on their way.
-template <class Real, class... Numbers>
-[[gnu::always_inline]] inline void fetch_next(const SweepData<Real>& data, const Numbers*... of_block) {
-  if (!data.fetches_ahead) return;
-  constexpr int line = 64;  // bytes
-  const auto fetch = [](const auto* from) __attribute__((always_inline)) {
-    for (int k = 0; k < block_size; k += line / static_cast<int>(sizeof(*from))) __builtin_prefetch(from + block_size + k);
-  };
-  (fetch(of_block), ...);
-}
-template <class Real, class Pairs>
-[[gnu::always_inline]] inline void fetch_next_pairs(const SweepData<Real>& data, const Pairs* of_block) {
-  fetch_next(data, of_block + block_size, of_block + 2 * block_size);
-}
+/// Numbers of the next block, asked for while this one is computed with, some at a time: there are more arrays than a processor fetches
+/// ahead by itself, and it waits when too many lines are on their way.
+class Ahead {
+ public:
+  /// Of an array with `each` numbers a point, given where this block's are.
+  template <class Number>
+  [[gnu::always_inline]] void add(const Number* of_block, int each = 1) {
+    const char* next = reinterpret_cast<const char*>(of_block + each * block_size);
+    for (int k = 0; k < each * block_size * static_cast<int>(sizeof(Number)); k += part) parts_[count_++] = next + k;
+  }
+  [[gnu::always_inline]] void fetch_some() {
+    if (fetched_ < count_) fetch_next_part();
+  }
+  [[gnu::always_inline]] void fetch_rest() {
+    while (fetched_ < count_) fetch_next_part();
+  }
+
+ private:
+  static constexpr int line = 64, part = 4 * line;  // bytes
+  static constexpr int most_parts = 18;
+
+  [[gnu::always_inline]] void fetch_next_part() {
+    const char* begin = parts_[fetched_++];
+    for (int k = 0; k < part; k += line) __builtin_prefetch(begin + k);
+  }
+
+  const char* parts_[most_parts];
+  int count_ = 0;
+  int fetched_ = 0;
+};
 
 /// Shape functions of a block's points, struct of arrays.
 template <class Real>

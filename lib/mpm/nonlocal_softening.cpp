@@ -72,7 +72,7 @@ std::vector<double> NonlocalAverage::smoothed(const std::vector<double>& values)
 }
 
 template <class Real>
-void NonlocalAverage::update(const PointsOf<Real>& points, std::vector<Real>& softening_strain) {
+void NonlocalAverage::update(const PointsOf<Real>& points, PointNumbers<Real>& softening_strain) {
   std::vector<double> capped(place_.size());
   for (std::size_t p = 0; p < points.count(); ++p)
     capped[static_cast<std::size_t>(points.label[p])] =
@@ -94,7 +94,7 @@ void NonlocalAverage::update(const PointsOf<Real>& points, std::vector<Real>& so
 
 template NonlocalAverage::NonlocalAverage(const PointsOf<double>&, const std::vector<Material>&, double, double, NonlocalSoftening);
 template NonlocalAverage::NonlocalAverage(const PointsOf<float>&, const std::vector<Material>&, double, double, NonlocalSoftening);
-template void NonlocalAverage::update(const PointsOf<double>&, std::vector<double>&);
-template void NonlocalAverage::update(const PointsOf<float>&, std::vector<float>&);
+template void NonlocalAverage::update(const PointsOf<double>&, PointNumbers<double>&);
+template void NonlocalAverage::update(const PointsOf<float>&, PointNumbers<float>&);
 
 }  // namespace slidezone

@@ -28,7 +28,7 @@ class NonlocalAverage {
 
   /// Raises `softening_strain` to the average of the points' plastic strain; both in the order of `points` now.
   template <class Real>
-  void update(const PointsOf<Real>& points, std::vector<Real>& softening_strain);
+  void update(const PointsOf<Real>& points, PointNumbers<Real>& softening_strain);
 
   /// Longest time between updates that stays within the accuracy stated above.
   static constexpr double interval = 8e-3;  // s

@@ -5,7 +5,7 @@
 
 namespace slidezone {
 
-std::vector<int> order_by_node(const std::vector<int>& first_nodes) {
+std::vector<int> order_by_node(std::span<const int> first_nodes) {
   const auto [low, high] = std::minmax_element(first_nodes.begin(), first_nodes.end());
   const int least = *low;
   const auto number_of = [least](int node) { return static_cast<std::size_t>(node - least); };

@@ -2,6 +2,7 @@
 // were numbered.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "mpm/points.hpp"
@@ -9,7 +10,7 @@
 namespace slidezone {
 
 /// By first nodes, column by column; points of equal ones keep their order (counting sort).
-std::vector<int> order_by_node(const std::vector<int>& first_nodes);
+std::vector<int> order_by_node(std::span<const int> first_nodes);
 
 /// By label.
 template <class Real>

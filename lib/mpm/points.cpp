@@ -21,7 +21,7 @@ Points points_at_rest(std::size_t count) {
 
 /// `each` values a point. The spare array saves fresh memory for every array, which would take a third longer.
 template <std::size_t each, class Value>
-static void pick(std::vector<Value>& values, const std::vector<int>& order, std::vector<Value>& spare) {
+static void pick(PointNumbers<Value>& values, std::span<const int> order, PointNumbers<Value>& spare) {
   if (values.empty()) return;
   spare.resize(values.size());
   Value* to = spare.data();
@@ -31,24 +31,24 @@ static void pick(std::vector<Value>& values, const std::vector<int>& order, std:
 }
 
 template <class Real>
-void reorder(PointsOf<Real>& points, const std::vector<int>& order) {
-  std::vector<Real> spare;
+void reorder(PointsOf<Real>& points, std::span<const int> order) {
+  PointNumbers<Real> spare;
   for (auto* pairs : {&points.velocity, &points.movement}) pick<2>(*pairs, order, spare);
   for (auto* values : {&points.xx, &points.yy, &points.zz, &points.xy, &points.mass, &points.volume, &points.plastic_strain,
                        &points.softening_strain, &points.peak_cohesion})
     pick<1>(*values, order, spare);
-  std::vector<double> spare_places;
+  PointNumbers<double> spare_places;
   for (auto* places : {&points.x, &points.y}) pick<1>(*places, order, spare_places);
-  std::vector<int> spare_numbers;
+  PointNumbers<int> spare_numbers;
   for (auto* numbers : {&points.soil, &points.label}) pick<1>(*numbers, order, spare_numbers);
 }
 
-template void reorder(PointsOf<double>&, const std::vector<int>&);
-template void reorder(PointsOf<float>&, const std::vector<int>&);
+template void reorder(PointsOf<double>&, std::span<const int>);
+template void reorder(PointsOf<float>&, std::span<const int>);
 
 template <class To, class From>
-static std::vector<To> converted_values(const std::vector<From>& values) {
-  std::vector<To> result;
+static PointNumbers<To> converted_values(const PointNumbers<From>& values) {
+  PointNumbers<To> result;
   result.reserve(values.size());
   for (const From value : values) result.push_back(static_cast<To>(value));
   return result;
@@ -59,7 +59,7 @@ PointsOf<To> converted(PointsOf<From> points) {
   if constexpr (std::is_same_v<To, From>) {
     return points;
   } else {
-    const auto in = [](const std::vector<From>& values) { return converted_values<To>(values); };
+    const auto in = [](const PointNumbers<From>& values) { return converted_values<To>(values); };
     return {.x = std::move(points.x),
             .y = std::move(points.y),
             .velocity = in(points.velocity),

@@ -97,8 +97,8 @@ struct DilationStorage {
 /// Where points lie in their cells, as the sweeps found last.
 template <class Real>
 struct Places {
-  std::vector<Real> s_x, s_y;
-  std::vector<int> first_node;
+  PointNumbers<Real> s_x, s_y;
+  PointNumbers<int> first_node;
 
   explicit Places(std::size_t points) : s_x(points), s_y(points), first_node(points) {}
 };

@@ -55,7 +55,7 @@ namespace {
 
 struct PointArray {
   const char* name;
-  std::vector<double> Points::*values;
+  PointNumbers<double> Points::*values;
   std::size_t components;
 };
 constexpr std::array<PointArray, 9> point_arrays = {{{"points/x", &Points::x, 1},
@@ -149,8 +149,9 @@ std::optional<ElasticStage> stage_in(std::string_view image, const std::string& 
   stage.kinetic = file.reals("kinetic_energy");
   for (const Work& work : works) stage.energy.*work.value = file.real_attribute("", work.name);
   for (const PointArray& array : point_arrays) {
-    stage.points.*array.values = file.reals(array.name);
-    check_size(array.name, (stage.points.*array.values).size(), array.components * points.x.size());
+    const std::vector<double> values = file.reals(array.name);
+    check_size(array.name, values.size(), array.components * points.x.size());
+    (stage.points.*array.values).assign(values.begin(), values.end());
   }
   const std::vector<std::int64_t> label = file.integers("points/label");
   check_size("points/label", label.size(), points.x.size());

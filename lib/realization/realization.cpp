@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "core/error.hpp"
@@ -116,9 +117,9 @@ Model model_of(const Scene& scene, const MaterialPoints& points, const std::opti
   model.method = scene.method;
   model.nonlocal_softening = scene.nonlocal_softening;
   model.points = points_at_rest(points.x.size());
-  model.points.x = points.x;
-  model.points.y = points.y;
-  model.points.soil = points.layer;
+  model.points.x.assign(points.x.begin(), points.x.end());
+  model.points.y.assign(points.y.begin(), points.y.end());
+  model.points.soil.assign(points.layer.begin(), points.layer.end());
   const double volume = points.spacing_x * points.spacing_y;
   bool has_layers_alone = true;
   for (std::size_t p = 0; p < points.x.size(); ++p) {
@@ -197,7 +198,7 @@ static double displacement(const MaterialPoints& initial, const Points& now, std
 
 void write_state(const MaterialPoints& initial, const Points& now, const Provenance& provenance,
                  const std::function<void(std::string_view)>& take) {
-  const auto each = [](const std::vector<double>& values) { return [&values](std::size_t p) { return values[p]; }; };
+  const auto each = [](std::span<const double> values) { return [values](std::size_t p) { return values[p]; }; };
   write_vtkhdf_points(now.x, now.y,
                       {{"displacement", [&](std::size_t p) { return displacement(initial, now, p); }},
                        {"initial_x", each(initial.x)},

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
+#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/large_page_allocator.hpp"
 #include "core/provenance.hpp"
 #include "core/round_step.hpp"
 #include "core/text.hpp"
@@ -94,6 +97,32 @@ TEST(ZeroedAllocator, TakesNoMemoryForZerosThatAreNotWritten) {
   EXPECT_EQ(std::count(values.begin(), values.end(), 0.0), static_cast<long>(count) - 1);
   const auto copy = values;
   EXPECT_EQ(copy[count / 2], 1);
+}
+
+/// What the system notes of the memory at an address: the line VmFlags of proc(5), smaps.
+std::string flags_of_memory(const void* address) {
+  const auto place = reinterpret_cast<std::uintptr_t>(address);
+  std::ifstream maps("/proc/self/smaps");
+  bool is_here = false;
+  for (std::string line; std::getline(maps, line);) {
+    std::uintptr_t begin = 0, end = 0;
+    if (std::sscanf(line.c_str(), "%lx-%lx ", &begin, &end) == 2) is_here = begin <= place && place < end;
+    if (is_here && line.starts_with("VmFlags:")) return line + " ";
+  }
+  return "";
+}
+
+TEST(LargePageAllocator, AsksForLargePagesWhereAnArrayFillsThem) {
+  if (!std::ifstream("/sys/kernel/mm/transparent_hugepage/enabled")) GTEST_SKIP() << "the system has no large pages";
+  using Allocator = LargePageAllocator<double>;
+  constexpr std::size_t in_a_page = large_page / sizeof(double);
+  std::vector<double, Allocator> large(5 * in_a_page / 2, 1.0);
+  EXPECT_NE(flags_of_memory(&large[2 * in_a_page - 1]).find(" hg "), std::string::npos);
+  std::vector<double, Allocator> small(in_a_page - 1, 2.0);
+  EXPECT_EQ(flags_of_memory(&small.back()).find(" hg "), std::string::npos);
+  small.insert(small.end(), large.begin(), large.end());
+  EXPECT_EQ(std::count(small.begin(), small.end(), 1.0), static_cast<long>(large.size()));
+  EXPECT_EQ(std::count(small.begin(), small.end(), 2.0), static_cast<long>(in_a_page - 1));
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ TEST(Simulate, LetsSoilWithoutStressOrStrengthAlone) {  // tau is 0 then, and it
     for (const InstructionSet set : every_set) {
       if (set > best_instruction_set()) continue;
       const Points points = simulate(model, {}, Kernel{set, {}}).points;
-      EXPECT_EQ(points.plastic_strain, std::vector<double>(points.count(), 0.0)) << static_cast<int>(set);
-      EXPECT_EQ(points.xx, std::vector<double>(points.count(), 0.0)) << static_cast<int>(set);
+      EXPECT_EQ(points.plastic_strain, PointNumbers<double>(points.count(), 0.0)) << static_cast<int>(set);
+      EXPECT_EQ(points.xx, PointNumbers<double>(points.count(), 0.0)) << static_cast<int>(set);
     }
 }
 

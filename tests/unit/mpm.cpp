@@ -17,8 +17,8 @@ namespace {
 TEST(Simulate, LetsABlockFall) {
   Model model = block(3, 3, 4, 3, elastic);
   throw_all(model, 1, 0);
-  const std::vector<double> x0 = model.points.x;
-  const std::vector<double> y0 = model.points.y;
+  const auto x0 = model.points.x;
+  const auto y0 = model.points.y;
   const Outcome outcome = simulate(model);
   // Symplectic Euler falls g t (t + dt) / 2; rounding of strains times the stiffness leaves 1e-9 m.
   const double t = outcome.time;

@@ -25,11 +25,11 @@ PointsOf<Real> numbered_points() {
 template <class Real>
 void expect_that_all_numbers_move() {
   PointsOf<Real> points = numbered_points<Real>();
-  reorder(points, {2, 0, 3, 1});
-  const std::vector<double> places = {2, 0, 3, 1};
-  const std::vector<Real> values = {2, 0, 3, 1};
-  const std::vector<Real> pairs = {2, 2.5, 0, 0.5, 3, 3.5, 1, 1.5};
-  const std::vector<int> numbers = {2, 0, 3, 1};
+  reorder(points, std::vector{2, 0, 3, 1});
+  const PointNumbers<double> places = {2, 0, 3, 1};
+  const PointNumbers<Real> values = {2, 0, 3, 1};
+  const PointNumbers<Real> pairs = {2, 2.5, 0, 0.5, 3, 3.5, 1, 1.5};
+  const PointNumbers<int> numbers = {2, 0, 3, 1};
   for (const auto* of_points : {&points.x, &points.y}) EXPECT_EQ(*of_points, places);
   for (const auto* of_points :
        {&points.xx, &points.yy, &points.zz, &points.xy, &points.mass, &points.volume, &points.plastic_strain, &points.peak_cohesion})
@@ -38,7 +38,7 @@ void expect_that_all_numbers_move() {
   for (const auto* of_points : {&points.soil, &points.label}) EXPECT_EQ(*of_points, numbers);
   EXPECT_TRUE(points.softening_strain.empty());
   reorder(points, order_by_label(points));
-  EXPECT_EQ(points.x, (std::vector<double>{0, 1, 2, 3}));
+  EXPECT_EQ(points.x, (PointNumbers<double>{0, 1, 2, 3}));
 }
 
 TEST(PointOrder, MovesAllNumbersOfAPoint) {
@@ -47,8 +47,8 @@ TEST(PointOrder, MovesAllNumbersOfAPoint) {
 }
 
 TEST(PointOrder, GoesByFirstNodesAndKeepsThatOfEqualOnes) {
-  EXPECT_EQ(order_by_node({7, 9, 7, 3, 1000, 3}), (std::vector<int>{3, 5, 0, 2, 1, 4}));
-  EXPECT_EQ(order_by_node({5}), (std::vector<int>{0}));
+  EXPECT_EQ(order_by_node(std::vector{7, 9, 7, 3, 1000, 3}), (std::vector<int>{3, 5, 0, 2, 1, 4}));
+  EXPECT_EQ(order_by_node(std::vector{5}), (std::vector<int>{0}));
 }
 
 }  // namespace

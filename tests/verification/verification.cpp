@@ -205,7 +205,7 @@ void elastic_bar(const Rows& row) {
     model.time.end = 9.5 * length / speed;
     const auto shape = [&](double x) { return std::sin(pi * x / (2 * length)); };
     for (std::size_t p = 0; p < model.points.count(); ++p) model.points.velocity[2 * p] = 1e-4 * speed * shape(model.points.x[p]);
-    const std::vector<double> x = model.points.x;
+    const auto x = model.points.x;
     ZeroCrossings zeros;
     simulate(model, [&](const Moment& moment) {
       const Points points = moment.points();
