@@ -85,6 +85,7 @@ CAP ?= 10000
 all: $(OUT)/summary.txt
 	@cat $<
 rows: $(or $(rows),$(OUT)/shown/row.tsv)
+	$(if $(is_random),@$(progress) end)
 tables: $(tables)
 pictures: $(pictures)
 report: $(OUT)/report.html
@@ -136,15 +137,17 @@ $(OUT)/in_situ.h5: $(made_by)
 $(foreach pair,$(numbered),$(eval $(call row_of,$(pair)): $(call points_of,$(pair))))
 $(random_rows): $(OUT)/rows/%.tsv: $(made_by) | $(OUT)/in_situ.h5 $(OUT)/rows
 	$(Q)mpmrun $(SCENE) --points $(filter %.h5,$^) --sample $(number) --in-situ $(OUT)/in_situ.h5 --quiet -o $@
-	@$(here)progress $(OUT) $(N) $(started)
+	@$(progress)
 
 started := $(shell date +%s)
+progress = $(here)progress $(OUT) $(N) $(started)
 
 $(OUT)/rows/000000.tsv: $(made_by) | $(OUT)/rows
 	$(Q)mpmrun $(SCENE) --quiet -o $@
 
 # Thousands of names do not fit on a command line. Of equal provenance and header lines, the first is kept.
 $(OUT)/rows.tsv: $(rows) $(OUT)/realizations
+	$(if $(is_random),@$(progress) end)
 	@$(file >$@.list,$(rows))
 	$(Q)xargs -a $@.list cat | awk '!/^(#|realization)/ || !seen[$$0]++' >$@
 	@rm $@.list

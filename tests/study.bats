@@ -66,6 +66,17 @@ sums() { (cd "$1" && find . -name '*.tsv' -o -name '*.h5' -o -name '*.hdf' | sor
   done
 }
 
+@test "a study says how many realizations are done, all of them at the end, and nothing where none was to do" {
+  run_study rows N=3
+  assert_success
+  assert_line "realizations: 3 of 3 done"
+  assert_not_exist "$study/out/progress"
+  run_study tables N=3
+  refute_output --partial "realizations:"
+  run_study tables N=4
+  assert_line "realizations: 4 of 4 done"
+}
+
 @test "a greater N runs only the new realizations, a smaller one none" {
   run_study tables N=3
   assert_success
