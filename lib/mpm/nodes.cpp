@@ -215,14 +215,8 @@ SLIDEZONE_VECTOR_LOOP static void keep_mass(const Real* sums, Real* mass, std::s
   for (std::size_t k = 0; k < count; ++k) mass[k] = sums[4 * k + 2];
 }
 
-/// Momentum of nodes, kg/s, and twice their kinetic energy, J/m.
-struct Motion {
-  Vec2 momentum;
-  double square;
-};
-
 template <class Real>
-SLIDEZONE_VECTOR_LOOP static Motion motion_of(const Real* mass, const Real* motion, std::size_t count) {
+SLIDEZONE_VECTOR_LOOP static NodeMotion motion_of(const Real* mass, const Real* motion, std::size_t count) {
   double x = 0;
   double y = 0;
   double square = 0;
@@ -239,7 +233,7 @@ SLIDEZONE_VECTOR_LOOP static Motion motion_of(const Real* mass, const Real* moti
   return {{x, y}, square};
 }
 
-static void add(Motion& sum, const Motion& more) {
+static void add(NodeMotion& sum, const NodeMotion& more) {
   sum.momentum.x += more.momentum.x;
   sum.momentum.y += more.momentum.y;
   sum.square += more.square;
@@ -247,7 +241,7 @@ static void add(Motion& sum, const Motion& more) {
 
 /// What a boundary did to a node's velocity, which was `free`, goes into its change over the step too, and into the motion of all.
 template <class Real>
-static void add_to_change(NodesOf<Real>& nodes, Motion& motion, std::size_t node, Vec2 free) {
+static void add_to_change(NodesOf<Real>& nodes, NodeMotion& motion, std::size_t node, Vec2 free) {
   const NodeVelocity<Real> velocity = pair_in(nodes.motion, velocity_of(node));
   const NodeVelocity<Real> change = pair_in(nodes.motion, change_of(node));
   const Vec2 by_boundary = {velocity.x - free.x, velocity.y - free.y};
@@ -287,7 +281,7 @@ static void remember_friction(NodesOf<Real>& nodes, std::size_t node, Vec2 free,
 
 /// Base contact with friction.
 template <class Real>
-static void touch_base(NodesOf<Real>& nodes, Motion& motion, const NodeBox& box, const NodeSettings& settings, Vec2 gravity) {
+static void touch_base(NodesOf<Real>& nodes, NodeMotion& motion, const NodeBox& box, const NodeSettings& settings, Vec2 gravity) {
   for_nodes_on_base(nodes, box, [&](std::size_t node) {
     const NodeVelocity<Real> velocity = pair_in(nodes.motion, velocity_of(node));
     const Vec2 free = {velocity.x, velocity.y};
@@ -302,7 +296,7 @@ static void touch_base(NodesOf<Real>& nodes, Motion& motion, const NodeBox& box,
 /// Two-body contact at one row of nodes: where soil approaches the base along the normal, that part of its velocity is taken
 /// away, and friction acts on the rest.
 template <class Real>
-static void touch_body(NodesOf<Real>& nodes, Motion& motion, const NodeBox& box, int row, const std::vector<Vec2>& normals,
+static void touch_body(NodesOf<Real>& nodes, NodeMotion& motion, const NodeBox& box, int row, const std::vector<Vec2>& normals,
                        const NodeSettings& settings, Vec2 gravity) {
   if (row < box.first_row || row >= box.last_row) return;
   for (int column = box.first_column; column < box.last_column; ++column) {
@@ -322,7 +316,7 @@ static void touch_body(NodesOf<Real>& nodes, Motion& motion, const NodeBox& box,
 }
 
 template <class Real>
-static void touch_walls(NodesOf<Real>& nodes, Motion& motion, const NodeBox& box, const NodeSettings& settings) {
+static void touch_walls(NodesOf<Real>& nodes, NodeMotion& motion, const NodeBox& box, const NodeSettings& settings) {
   const auto touch = [&](Wall wall) {
     return [&nodes, &motion, wall](std::size_t node) {
       const NodeVelocity<Real> velocity = pair_in(nodes.motion, velocity_of(node));
@@ -353,31 +347,36 @@ void update_velocities(NodesOf<Real>& nodes, NodeEnergies& energies, const NodeB
     fold_pairs(nodes.sums, momentum_of(behind), momentum_of(before), mirror);
     fold_pairs(nodes.force, force_of(behind), force_of(before), mirror);
   });
-  Motion motion{};
   for_each_column(nodes, box, [&](std::size_t first, std::size_t count) {  // all at once, while the numbers are in the nearest cache
     keep_mass(nodes.sums.data() + 4 * first, nodes.mass.data() + first, count);
     balance_momentum(nodes.sums.data() + 4 * first, nodes.force.data() + 2 * first, nodes.motion.data() + 4 * first, count,
                      static_cast<Real>(gravity.x), static_cast<Real>(gravity.y), static_cast<Real>(settings.least_mass),
                      static_cast<Real>(settings.step));
-    add(motion, motion_of(nodes.mass.data() + first, nodes.motion.data() + 4 * first, count));
+    add(energies.unhindered, motion_of(nodes.mass.data() + first, nodes.motion.data() + 4 * first, count));
     clear(nodes.sums, 4 * first, 4 * count);
     clear(nodes.force, 2 * first, 2 * count);
     clear(nodes.new_velocity, 2 * first, 2 * count);
   });
-  touch_walls(nodes, motion, box, settings);
+  touch_walls(nodes, energies.by_walls, box, settings);
   if (settings.boundaries.base == BaseContact::two_body) {
-    touch_body(nodes, motion, box, NodeStorage::padding, contact.top, settings, gravity);
-    touch_body(nodes, motion, box, NodeStorage::padding - 1, contact.below, settings, gravity);
+    touch_body(nodes, energies.by_base, box, NodeStorage::padding, contact.top, settings, gravity);
+    touch_body(nodes, energies.by_base, box, NodeStorage::padding - 1, contact.below, settings, gravity);
   } else {
-    touch_base(nodes, motion, box, settings, gravity);
+    touch_base(nodes, energies.by_base, box, settings, gravity);
   }
-  energies.gravity_work += settings.step * (gravity.x * motion.momentum.x + gravity.y * motion.momentum.y);
-  energies.kinetic += 0.5 * motion.square;
   for_each_image(nodes, box, settings, [&](std::size_t behind, std::size_t before, Mirror mirror) {
     reflect_pairs(nodes.motion, change_of(behind), change_of(before), mirror);
     reflect_pairs(nodes.motion, velocity_of(behind), velocity_of(before), mirror);
   });
 }
+
+double NodeEnergies::gravity_work(Vec2 gravity, double step) const {
+  const double x = unhindered.momentum.x + by_walls.momentum.x + by_base.momentum.x;
+  const double y = unhindered.momentum.y + by_walls.momentum.y + by_base.momentum.y;
+  return step * (gravity.x * x + gravity.y * y);
+}
+
+double NodeEnergies::kinetic() const { return 0.5 * (unhindered.square + by_walls.square + by_base.square); }
 
 template <class Real>
 void copy_velocities(NodesOf<Real>& nodes, const NodeBox& box) {

@@ -45,10 +45,21 @@ struct NodesOf {
   std::vector<NodeFriction> frictions;
 };
 
-/// Work and energy of one step, J/m.
+/// Sums over nodes: momentum, kg/s, and twice the kinetic energy, J/m.
+struct NodeMotion {
+  Vec2 momentum{};
+  double square = 0;
+};
+
+/// The motion of all nodes in one step. Each of its parts is summed up from left to right: they have the same bits however many boxes the
+/// nodes come in.
 struct NodeEnergies {
-  double gravity_work = 0;
-  double kinetic = 0;  // of the node velocities
+  NodeMotion unhindered;         // as forces leave it
+  NodeMotion by_walls, by_base;  // what boundaries did to it
+
+  /// J/m.
+  double gravity_work(Vec2 gravity, double step) const;
+  double kinetic() const;
 };
 
 /// Nodes lighter than this part of a point's mass carry no velocity: the quotients there are noise.

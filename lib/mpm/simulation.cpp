@@ -173,8 +173,8 @@ class Run {
     if (reaches_edge() && has_left_grid()) return stop(Ending::left_domain, time);
     NodeEnergies energies;
     update_velocities(nodes_, energies, box_, gravity(time), settings_, contact());
-    audit_.gravity_work += energies.gravity_work;
-    grid_kinetic_ = energies.kinetic;
+    audit_.gravity_work += energies.gravity_work(gravity(time), step_);
+    grid_kinetic_ = energies.kinetic();
     if (!std::isfinite(grid_kinetic_)) return stop(Ending::diverged, time);
     follow_nodes();
     ++steps_;
@@ -278,8 +278,8 @@ class Run {
     if (reports.a.is_broken) return stop(Ending::diverged, time);
     box_ = reports.a.box;
     out_of_order_ = reports.a.out_of_order;
-    audit_.gravity_work += energies.gravity_work;
-    grid_kinetic_ = energies.kinetic;
+    audit_.gravity_work += energies.gravity_work(gravity(time), step_);
+    grid_kinetic_ = energies.kinetic();
     if (!std::isfinite(grid_kinetic_)) return stop(Ending::diverged, time);
     audit_.damping_work += reports.b;
     count_friction();
